@@ -1,6 +1,6 @@
 //! Messages that say what to write instead, where a habit of Rust or of other programs was followed.
 
-use crate::common::expansion::{messages, refused};
+use crate::common::expansion::{accepted, messages, refused};
 
 /// Constants of Rust.
 #[test]
@@ -325,4 +325,88 @@ fn hint(meant: &str) -> String {
         "" => String::new(),
         meant => format!("; did you mean `{meant}`?"),
     }
+}
+
+#[test]
+fn negatives_of_points() {
+    accepted(
+        "
+mechanism!(M {
+    world: Planar(),
+    b: Bar(mass = 1.0_kg, length = 1.0_m, free = true),
+    f: SpringDamper(b.b, ground.origin, stiffness = 1.0_N_per_m),
+    o: Output(-b.b),
+    p: Point(-[1.0_m, 0.0_m]),
+    d: Output(-p + b.a),
+});
+        ",
+    );
+    accepted(
+        "
+mechanism!(M {
+    world: Spatial(),
+    b: Body(mass = 1.0_kg, inertia = -diag(-1.0_kg_m2, -1.0_kg_m2, -1.0_kg_m2), free = true),
+    o: Output(-b.origin),
+});
+        ",
+    );
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    b: Bar(mass = 1.0_kg, length = 1.0_m, free = true),
+    o: Output(-b),
+              ~~ a part has no negative
+});
+        ",
+    );
+}
+
+#[test]
+fn values_that_are_held_are_one() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    b: Bar(mass = 1.0_kg, length = 1.0_m, free = true, angle = Exactly(0.1, 0.2)),
+                                                               ~~~~~~~ `Exactly` takes one value, not 2; a vector is a list, as in `at = Exactly([0.1_m, 0.2_m])`
+    c: Bar(mass = 1.0_kg, length = 1.0_m, free = true, angle = Exactly()),
+                                                               ~~~~~~~ `Exactly` takes one value, not 0; a vector is a list, as in `at = Exactly([0.1_m, 0.2_m])`
+});
+        ",
+    );
+}
+
+#[test]
+fn values_that_were_forgotten() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    b: Bar(mass = length = 0.1_m, free = true),
+                  ~~~~~~ the value of `mass` is missing: write `mass = …, length = …`
+    o: Output(b.b),
+});
+        ",
+    );
+    refused(
+        "
+mechanism!(M {
+    world: Spatial(),
+    b: Bar(mass = length = 0.1_m, free = true),
+                  ~~~~~~ the value of `mass` is missing: write `mass = …, length = …`
+    c: Bar(mass = 1.0_kg, lenght = 0.1_m, free = true),
+                          ~~~~~~ `Bar` has no argument `lenght`; did you mean `length`? (arguments: mass, length, from, to, radius, inertia, velocity, angular_velocity, coordinates, free)
+});
+        ",
+    );
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    b: Each(0..3, |i| Bar(mass = length = 0.1_m, free = true)),
+                                 ~~~~~~ in `b[0]`: the value of `mass` is missing: write `mass = …, length = …` (and the same in 2 other members)
+});
+        ",
+    );
 }

@@ -4,7 +4,8 @@ use crate::diagnostics::{Place, did_you_mean};
 use crate::model::advice;
 use crate::model::resolver::Resolver;
 use crate::schema::{self, Absent, Kind, World};
-use crate::syntax::Entry;
+use crate::syntax::{Entry, NamedArgument};
+use syn::Expr;
 
 /// Every argument is one that its kind has, and no required one is missing.
 pub(in crate::model) fn arguments(resolver: &mut Resolver) {
@@ -83,6 +84,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
                 format!("`{name}` is given by position already"),
             );
         }
+        misplaced |= forgotten(resolver, argument, kind).is_some();
     }
     if misplaced {
         // A missing argument may be one in the wrong position, which may also cause the other errors.
@@ -104,4 +106,23 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
             );
         }
     }
+}
+
+/// Refuses `mass = length = 0.1_m`, which is the beginning of two arguments.
+fn forgotten(resolver: &mut Resolver, argument: &NamedArgument, kind: &Kind) -> Option<()> {
+    let Expr::Assign(following) = &argument.value else {
+        return None;
+    };
+    let Expr::Path(path) = &*following.left else {
+        return None;
+    };
+    let (name, next) = (&argument.name, path.path.get_ident()?);
+    if kind.fields.iter().all(|field| next != field.name) {
+        return None;
+    }
+    resolver.fail::<()>(
+        Place::of(&following.left),
+        format!("the value of `{name}` is missing: write `{name} = …, {next} = …`"),
+    );
+    Some(())
 }

@@ -94,6 +94,13 @@ impl Resolver<'_> {
                 let along = self.graph.vector_scale(share, from);
                 Some(Value::Vector(self.graph.vector_sub(a, along), dimension))
             }
+            "Exactly" if arguments.len() != 1 => self.fail(
+                span,
+                format!(
+                    "`Exactly` takes one value, not {}; a vector is a list, as in `at = Exactly([0.1_m, 0.2_m])`",
+                    arguments.len()
+                ),
+            ),
             "Exactly" => self.fail(
                 span,
                 "`Exactly` goes around the initial value of a part or `Coordinate`, as in `angle = Exactly(0.4_rad)`; all other values are exact as they are",

@@ -89,6 +89,8 @@ impl Resolver<'_> {
             Syntax::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 self.fail(Place::of(unary), POWERS)
             }
+            // An argument whose value was forgotten.
+            Syntax::Assign(equation) if self.errors.are_at(Place::of(&equation.left)) => None,
             Syntax::Assign(equation) => {
                 self.compared("=", Place::of(&equation.eq_token))
             }

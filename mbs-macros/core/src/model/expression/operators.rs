@@ -27,10 +27,14 @@ pub(super) fn comparison(op: &BinOp) -> Option<&'static str> {
 
 impl Resolver<'_> {
     pub(super) fn negate(&mut self, value: Value, place: Place) -> Option<Value> {
-        match value {
+        match self.placed(value) {
             Value::Scalar(x, dimension) => Some(Value::Scalar(self.graph.neg(x), dimension)),
             Value::Vector(v, dimension) => {
                 Some(Value::Vector(v.map(|x| self.graph.neg(x)), dimension))
+            }
+            Value::Tensor(rows, dimension) => {
+                let rows = rows.map(|row| row.map(|x| self.graph.neg(x)));
+                Some(Value::Tensor(rows, dimension))
             }
             other => self.fail(place, format!("{} has no negative", other.describe())),
         }
@@ -76,7 +80,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// A value in a sum, where a point stands for its position.
+    /// A value in a sum, a product or a negative, where a point stands for its position.
     pub(super) fn placed(&mut self, value: Value) -> Value {
         match value {
             Value::Point(point) => Value::Vector(self.position(&point), Some(Dimension::LENGTH)),

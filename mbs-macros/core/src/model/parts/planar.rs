@@ -30,6 +30,7 @@ impl Resolver<'_> {
                 let difference = arguments.graph().vector_sub(*to, *from);
                 Some(arguments.graph().norm(difference))
             }
+            _ if arguments.are_misplaced() => None,
             (false, Some(_), Some(_)) => arguments.fail(
                 "length",
                 format!(

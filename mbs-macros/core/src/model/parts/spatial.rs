@@ -33,6 +33,7 @@ impl Resolver<'_> {
                 let difference = arguments.graph().vector_sub(to, from);
                 Some(arguments.graph().norm(difference))
             }
+            (false, None) if arguments.are_misplaced() => None,
             (false, None) => arguments.fail(
                 "length",
                 format!(
