@@ -156,6 +156,8 @@ fn inputs_have_no_rate() {
     pd: Torque(arm, value = 1.0_N_m_s * rate(target - arm.angle)),
                                              ~~~~~~ this follows an input, whose rate is unknown: take it out of the rate(…), and give its rate by an `Input` of its own
 });",
+    );
+}
 
 /// A world that is there has its own error alone.
 #[test]
