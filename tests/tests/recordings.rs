@@ -4,6 +4,7 @@ use crate::data::Pendulum;
 use mbs_runtime::output::SaveError;
 use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError, mechanism};
 use std::path::Path;
+use std::process::Command;
 use std::{env, fs};
 
 #[test]
@@ -73,6 +74,33 @@ fn files_of_a_run() {
     // A folder that is a file is named in the error.
     let error = recording.save(folder.join("outputs.svg")).unwrap_err();
     assert!(error.to_string().contains("outputs.svg"), "{error}");
+}
+
+/// A table that cannot grow, as on a full disk, is named. (A process of its own has a limit for the length of files.)
+#[cfg(unix)]
+#[test]
+fn a_table_that_cannot_grow_is_named() {
+    const LIMITED: &str = "MBS_LIMITED_FILES";
+    if env::var_os(LIMITED).is_none() {
+        let limited = Command::new("sh")
+            .args(["-c", r#"trap "" XFSZ; ulimit -f 64; exec "$0" "$@""#])
+            .arg(env::current_exe().unwrap())
+            .args(["--exact", "recordings::a_table_that_cannot_grow_is_named"])
+            .env(LIMITED, "")
+            .output()
+            .unwrap();
+        let text = String::from_utf8_lossy(&limited.stdout);
+        assert!(limited.status.success(), "{text}");
+        assert!(text.contains("1 passed"), "{text}");
+        return;
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("limited");
+    let mut simulation = Simulation::new(Pendulum {}).unwrap();
+    let run = simulation.record(5.0).every(1e-3);
+    let error = run.save(&folder).unwrap_err();
+    assert!(matches!(&error, SaveError::File(_)), "{error}");
+    let table = folder.join("trajectory.csv").display().to_string();
+    assert!(error.to_string().starts_with(&table), "{error}");
 }
 
 #[test]

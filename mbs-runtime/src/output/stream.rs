@@ -3,7 +3,7 @@
 use std::fmt;
 use std::fs;
 use std::io::{self, BufWriter};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::csv::CsvWriter;
 use super::npz::NpzWriter;
@@ -11,7 +11,7 @@ use super::path_error::about;
 use super::save::{BINARY, Saved, TABLE, remove_earlier};
 use super::thinned::Thinned;
 use super::{Frame, Record};
-use crate::SimulationError;
+use crate::{Model, SimulationError};
 
 /// Why a run was not saved to its end.
 #[derive(Debug)]
@@ -53,16 +53,42 @@ impl From<io::Error> for SaveError {
     }
 }
 
-/// The tables of a run.
+/// The tables of a run; errors have the path of the file.
 struct Tables {
+    path: PathBuf,
     csv: CsvWriter<BufWriter<fs::File>>,
     npz: Option<NpzWriter>,
 }
 
 impl Tables {
+    fn create(folder: &Path, model: &Model, with_npz: bool) -> io::Result<Self> {
+        let path = folder.join(TABLE);
+        let csv = fs::File::create(&path);
+        let csv = csv.and_then(|file| CsvWriter::new(BufWriter::new(file), model));
+        let csv = csv.map_err(|error| about(&path, &error))?;
+        let npz = match with_npz {
+            true => Some(NpzWriter::create(folder.join(BINARY), model)?),
+            false => None,
+        };
+        Ok(Tables { path, csv, npz })
+    }
+
     fn write(&mut self, frame: &Frame) -> io::Result<()> {
-        self.csv.write(frame)?;
+        let written = self.csv.write(frame);
+        written.map_err(|error| about(&self.path, &error))?;
         self.npz.as_mut().map_or(Ok(()), |npz| npz.write(frame))
+    }
+
+    /// Marks the table of a run that did not reach its end.
+    fn stopped(&mut self, time: f64, error: &SimulationError) -> io::Result<()> {
+        let marked = self.csv.stopped(time, &error.to_string());
+        marked.map_err(|error| about(&self.path, &error))
+    }
+
+    fn finish(self) -> io::Result<()> {
+        let Tables { path, csv, npz } = self;
+        csv.finish().map_err(|error| about(&path, &error))?;
+        npz.map_or(Ok(()), NpzWriter::finish)
     }
 }
 
@@ -85,18 +111,7 @@ impl Record<'_> {
         fs::create_dir_all(folder).map_err(|error| about(folder, &error))?;
         let model = self.simulation.model();
         remove_earlier(folder);
-        let path = folder.join(TABLE);
-        let in_table = |error: io::Error| about(&path, &error);
-        let csv =
-            fs::File::create(&path).and_then(|file| CsvWriter::new(BufWriter::new(file), model));
-        let npz = match self.with_npz {
-            true => Some(NpzWriter::create(folder.join(BINARY), model)?),
-            false => None,
-        };
-        let mut tables = Tables {
-            csv: csv.map_err(in_table)?,
-            npz,
-        };
+        let mut tables = Tables::create(folder, model, self.with_npz)?;
         let mut thinned = Thinned::new();
         let ended = self.advance(&mut |frame| {
             tables.write(&frame)?;
@@ -115,13 +130,9 @@ impl Record<'_> {
                 tables.write(&frame)?;
                 thinned.push(frame);
             }
-            let marked = tables.csv.stopped(now, &error.to_string());
-            marked.map_err(in_table)?;
+            tables.stopped(now, error)?;
         }
-        tables.csv.finish().map_err(in_table)?;
-        if let Some(npz) = tables.npz {
-            npz.finish()?;
-        }
+        tables.finish()?;
         let instants = thinned.count();
         let recording = self.recording(thinned.finish(), stopped.as_ref());
         let saved = recording.save_pictures(folder, instants)?;
