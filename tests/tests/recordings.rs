@@ -1,11 +1,11 @@
 //! Recorded runs of a mechanism that is no scene: instants, files, and the model in words.
 
 use crate::data::Pendulum;
-use mbs_runtime::output::SaveError;
+use mbs_runtime::output::{Frame, SaveError, plot};
 use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError, mechanism};
 use std::path::Path;
 use std::process::Command;
-use std::{env, fs};
+use std::{env, fs, io};
 
 #[test]
 fn instants_are_multiples_of_the_interval() {
@@ -74,6 +74,68 @@ fn files_of_a_run() {
     // A folder that is a file is named in the error.
     let error = recording.save(folder.join("outputs.svg")).unwrap_err();
     assert!(error.to_string().contains("outputs.svg"), "{error}");
+}
+
+/// Frames are public: such a frame was an index out of bounds, or a panic of the drawing library after files had been replaced.
+#[test]
+fn frames_of_another_model_are_refused() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign");
+    let _ = fs::remove_dir_all(&folder);
+    let mut simulation = Simulation::new(Pendulum {}).unwrap();
+    let recording = simulation.record(0.5).every(0.1).run().unwrap();
+    let changed = |change: fn(&mut Frame)| {
+        let mut recording = recording.clone();
+        change(&mut recording.frames[3]);
+        recording
+    };
+    let texts = [
+        (|frame| frame.points.clear(), "0 points; the model has 2"),
+        (
+            |frame| frame.coordinates.push(0.0),
+            "2 coordinates; the model has 1",
+        ),
+        (
+            |frame| frame.velocities.clear(),
+            "0 velocities; the model has 1",
+        ),
+        (
+            |frame| drop(frame.outputs.pop()),
+            "3 outputs; the model has 4",
+        ),
+        (
+            |frame| drop(frame.reactions.pop()),
+            "1 reactions; the model has 2",
+        ),
+        (
+            |frame| frame.time = f64::NAN,
+            "the time NaN s, which is not finite",
+        ),
+    ] as [(fn(&mut Frame), &str); 6];
+    for (change, text) in texts {
+        let recording = changed(change);
+        let errors = [
+            recording.save(&folder).unwrap_err(),
+            recording.write_motion(io::sink()).unwrap_err(),
+        ];
+        for error in errors {
+            assert_eq!(error.kind(), io::ErrorKind::InvalidData);
+            assert_eq!(error.to_string(), format!("frame 3 has {text}"));
+        }
+    }
+    assert!(!folder.exists());
+    // Rows of a table have a value in each column.
+    let short = changed(|frame| frame.velocities.clear());
+    let error = short.write_csv(io::sink()).unwrap_err();
+    assert_eq!(error.kind(), io::ErrorKind::InvalidData);
+    let timeless = changed(|frame| frame.time = f64::INFINITY);
+    for picture in [
+        plot::outputs(&timeless),
+        plot::energy("", &timeless.frames),
+        plot::constraints("", &timeless.frames),
+    ] {
+        let error = picture.unwrap_err();
+        assert!(error.starts_with("frame 3 has the time inf s"), "{error}");
+    }
 }
 
 /// A table that cannot grow, as on a full disk, is named. (A process of its own has a limit for the length of files.)

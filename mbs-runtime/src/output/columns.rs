@@ -1,6 +1,9 @@
 //! The columns of a trajectory: time, outputs, coordinates, velocities, energies, errors of the rows.
 
+use std::io;
+
 use super::Frame;
+use super::frame_check::Lengths;
 use crate::Model;
 
 /// Which coordinates and velocities are columns: states are among the outputs.
@@ -10,6 +13,7 @@ pub(super) struct Columns {
     pub(super) names: Vec<String>,
     coordinates: Vec<usize>,
     velocities: Vec<usize>,
+    lengths: Lengths,
 }
 
 impl Columns {
@@ -22,6 +26,7 @@ impl Columns {
             names: Vec::new(),
             coordinates: coordinates.map(|(i, _)| i).collect(),
             velocities: velocities.map(|(i, _)| i).collect(),
+            lengths: Lengths::of(model),
         };
         columns.names = columns.named(model);
         columns
@@ -48,8 +53,13 @@ impl Columns {
             .collect()
     }
 
-    /// Their values at an instant.
-    pub(super) fn values<'a>(&'a self, frame: &'a Frame) -> impl Iterator<Item = f64> + 'a {
+    /// Their values at an instant; an error where the frame, of this number, does not belong to the model.
+    pub(super) fn values<'a>(
+        &'a self,
+        number: usize,
+        frame: &'a Frame,
+    ) -> io::Result<impl Iterator<Item = f64> + 'a> {
+        self.lengths.check(number, frame)?;
         let energy = &frame.energy;
         let fixed = [
             energy.kinetic,
@@ -60,11 +70,11 @@ impl Columns {
         ];
         let coordinates = self.coordinates.iter();
         let velocities = self.velocities.iter();
-        std::iter::once(frame.time)
+        Ok(std::iter::once(frame.time)
             .chain(frame.outputs.iter().copied())
-            .chain(coordinates.filter_map(|&i| frame.coordinates.get(i).copied()))
-            .chain(velocities.filter_map(|&i| frame.velocities.get(i).copied()))
-            .chain(fixed)
+            .chain(coordinates.map(|&i| frame.coordinates[i]))
+            .chain(velocities.map(|&i| frame.velocities[i]))
+            .chain(fixed))
     }
 }
 

@@ -14,6 +14,7 @@ pub use super::columns::column;
 pub struct CsvWriter<W: Write> {
     out: W,
     columns: Columns,
+    rows: usize,
 }
 
 impl<W: Write> CsvWriter<W> {
@@ -24,21 +25,28 @@ impl<W: Write> CsvWriter<W> {
     pub fn new(mut out: W, model: &Model) -> io::Result<Self> {
         let columns = Columns::of(model);
         out.write_all((columns.names.join(",") + "\n").as_bytes())?;
-        Ok(CsvWriter { out, columns })
+        Ok(CsvWriter {
+            out,
+            columns,
+            rows: 0,
+        })
     }
 
     /// Writes one row, at once: behind a buffer, too, an interrupted run leaves whole rows. Every number reads back to the same bits.
     ///
     /// # Errors
-    /// `out` cannot be written.
+    /// `out` cannot be written; coordinates, velocities or outputs that are not as many as those of the model
+    /// ([`io::ErrorKind::InvalidData`]).
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
         let mut row = String::new();
-        for (index, value) in self.columns.values(frame).enumerate() {
+        let values = self.columns.values(self.rows, frame)?;
+        for (index, value) in values.enumerate() {
             let separator = if index > 0 { "," } else { "" };
             // Writing to a string cannot fail.
             let _ = write!(row, "{separator}{value:?}");
         }
         row.push('\n');
+        self.rows += 1;
         self.out.write_all(row.as_bytes())
     }
 

@@ -4,6 +4,7 @@
 mod columns;
 pub mod csv;
 mod explain;
+mod frame_check;
 mod json;
 #[cfg(feature = "latex")]
 mod latex;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::frame_check::check_times;
 use super::{Frame, Recording};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -93,8 +94,9 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 /// Kinetic, potential and total energy above, the error of the balance below.
 ///
 /// # Errors
-/// The message of the drawing library.
+/// A time that is not finite; the message of the drawing library.
 pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
+    check_times(frames).map_err(|error| error.to_string())?;
     picture(|root| {
         let (upper, lower) = root.split_vertically(SIZE.1 * 11 / 20);
         let curves = [
@@ -122,8 +124,9 @@ pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
 /// one legend, are continued in a further diagram.
 ///
 /// # Errors
-/// The message of the drawing library.
+/// A time that is not finite; the message of the drawing library.
 pub fn outputs(recording: &Recording) -> Result<String, String> {
+    check_times(&recording.frames).map_err(|error| error.to_string())?;
     let panels = panels(recording);
     let height = PANEL * panels.len().max(1) as u32;
     picture_of(height, |root| {
@@ -165,8 +168,9 @@ fn panels(recording: &Recording) -> Vec<(&'static str, Vec<Curve>)> {
 /// Position and velocity errors of the constraint rows.
 ///
 /// # Errors
-/// The message of the drawing library.
+/// A time that is not finite; the message of the drawing library.
 pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
+    check_times(frames).map_err(|error| error.to_string())?;
     picture(|root| {
         let curves = &[
             Curve::new("max |φ|, position level", BLUE, frames, |f| {

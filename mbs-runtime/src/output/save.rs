@@ -6,6 +6,7 @@ use std::io::{self, BufWriter};
 use std::path::Path;
 
 use super::csv::CsvWriter;
+use super::frame_check::check_frames;
 use super::motion::write_motion_of;
 use super::npz::NpzWriter;
 use super::path_error::about;
@@ -45,7 +46,7 @@ impl Recording {
     /// Writes the instants as a table.
     ///
     /// # Errors
-    /// `out` cannot be written.
+    /// `out` cannot be written; otherwise as [`CsvWriter::write`].
     pub fn write_csv(&self, out: impl io::Write) -> io::Result<()> {
         let mut table = CsvWriter::new(BufWriter::new(out), self.model)?;
         for frame in &self.frames {
@@ -60,7 +61,7 @@ impl Recording {
     /// Writes the columns of the same table to a binary file for NumPy and Julia ([`npz`](super::npz)).
     ///
     /// # Errors
-    /// A file that cannot be written, by its path.
+    /// As [`NpzWriter::create`], [`NpzWriter::write`] and [`NpzWriter::finish`].
     pub fn write_npz(&self, path: impl AsRef<Path>) -> io::Result<()> {
         let mut columns = NpzWriter::create(path, self.model)?;
         for frame in &self.frames {
@@ -72,7 +73,8 @@ impl Recording {
     /// Writes the animation, one file for any browser; returns the number of instants that it shows.
     ///
     /// # Errors
-    /// `out` cannot be written.
+    /// Before anything is written, frames that do not belong to the model, or whose time is not finite
+    /// ([`io::ErrorKind::InvalidData`]); `out` cannot be written.
     pub fn write_motion(&self, out: impl io::Write) -> io::Result<usize> {
         self.write_motion_of(self.frames.len(), out)
     }
@@ -92,8 +94,10 @@ impl Recording {
     /// replaced or removed.
     ///
     /// # Errors
-    /// A file that cannot be written, by its path.
+    /// Before anything is written or removed, frames that do not belong to the model, or whose time is not finite
+    /// ([`io::ErrorKind::InvalidData`]); a file that cannot be written, by its path.
     pub fn save(&self, folder: impl AsRef<Path>) -> io::Result<Saved> {
+        check_frames(self.model, &self.frames)?;
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(|error| about(folder, &error))?;
         remove_earlier(folder);

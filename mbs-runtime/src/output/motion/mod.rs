@@ -4,6 +4,7 @@ pub(super) mod data;
 
 use std::io::{self, Write};
 
+use super::frame_check::check_frames;
 use super::{Frame, json};
 use crate::Model;
 
@@ -26,7 +27,8 @@ const PROGRAM: [&str; 5] = [
 /// that the page shows: it thins them out to 2001 at most, and says so.
 ///
 /// # Errors
-/// `out` cannot be written.
+/// Before anything is written, frames that do not belong to the model, or whose time is not finite
+/// ([`io::ErrorKind::InvalidData`]); `out` cannot be written.
 pub fn write_motion(
     out: &mut impl Write,
     model: &Model,
@@ -46,6 +48,7 @@ pub(super) fn write_motion_of(
     title: &str,
     stopped: Option<&str>,
 ) -> io::Result<usize> {
+    check_frames(model, frames)?;
     let mut rest = PAGE;
     let mut up_to = |out: &mut dyn Write, marker: &str| {
         let (head, tail) = rest.split_once(marker).unwrap_or((rest, ""));

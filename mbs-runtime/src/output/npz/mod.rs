@@ -48,14 +48,16 @@ impl NpzWriter {
     /// Adds an instant.
     ///
     /// # Errors
-    /// A file that cannot be written, by its path; more numbers than an archive holds, 4 GiB.
+    /// A file that cannot be written, by its path; more numbers than an archive holds, 4 GiB; coordinates, velocities or
+    /// outputs that are not as many as those of the model ([`io::ErrorKind::InvalidData`]).
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
         let rows = self.spill.rows() as u64 + 1;
         if !archive::holds(&self.columns.names, 8 * rows) {
             let text = "more than 4 GiB; record fewer instants, or read the table";
             return Err(about(&self.path, &io::Error::other(text)));
         }
-        self.spill.push(self.columns.values(frame))
+        let values = self.columns.values(self.spill.rows(), frame)?;
+        self.spill.push(values)
     }
 
     /// Writes the file.
