@@ -67,7 +67,8 @@
 //! * `latex`: `Model::latex`, the equations of motion; adds the compiler of `mechanism!` to the program.
 //! * `serde`: [`State`], [`Settings`], [`Sample`], [`Report`], [`Reactions`] and [`output::Frame`] can be written and
 //!   read by `serde`, [`AssemblyVerdict`] written. Settings that are read may leave fields out; a field that does not exist
-//!   is an error. A state that is read with all digits goes on bit for bit.
+//!   is an error. Numbers of samples, reactions and frames that are not known are NaN, and `null` in JSON; `null` is read as NaN.
+//!   A state that is read with all digits goes on bit for bit.
 //!
 //! # Without the standard library
 //!
@@ -122,6 +123,8 @@ mod model;
 pub mod output;
 #[cfg(feature = "std")]
 mod reactions;
+#[cfg(feature = "serde")]
+mod read_numbers;
 mod report;
 mod row_scale;
 #[cfg(feature = "std")]

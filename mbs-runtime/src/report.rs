@@ -4,6 +4,8 @@
 mod lists;
 
 use crate::Method;
+#[cfg(feature = "serde")]
+use crate::read_numbers::number;
 
 #[cfg(feature = "std")]
 pub use lists::{AssemblyVerdict, Change, HeldGap, OpenRow, Reactions, Sample};
@@ -14,14 +16,19 @@ pub use lists::{AssemblyVerdict, Change, HeldGap, OpenRow, Reactions, Sample};
 #[non_exhaustive]
 pub struct Energy {
     /// T.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub kinetic: f64,
     /// V of gravity and springs.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub potential: f64,
     /// Work done since the start by applied forces that have no potential.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub nonconservative_work: f64,
     /// Work done since the start by rheonomic rows.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub drive_work: f64,
     /// T + V − work − (T + V at the start).
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub error: f64,
 }
 

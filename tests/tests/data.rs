@@ -1,5 +1,6 @@
-//! State, settings and samples as data of `serde`.
+//! State, settings, samples and frames as data of `serde`.
 
+use mbs_runtime::output::Frame;
 use mbs_runtime::{Method, PaperSettings, Sample, Settings, Simulation, State, mechanism};
 
 mechanism!(pub(crate) Pendulum {
@@ -66,4 +67,30 @@ fn samples_come_back_from_a_file() {
     assert_eq!(samples, serde_json::from_str::<Vec<Sample>>(&text).unwrap());
     assert_eq!(samples.len(), 3);
     assert!(text.contains(r#""outputs":["#));
+}
+
+/// JSON has no NaN: what is not known is null there.
+#[test]
+fn what_is_not_known_comes_back_from_a_file() {
+    let simulation = Simulation::new(Pendulum {}).unwrap();
+    let mut frame = Frame::record(&simulation);
+    frame.outputs[0] = f64::NAN;
+    frame.reactions.fill(f64::NAN);
+    frame.points[1][2] = f64::NAN;
+    frame.energy.error = f64::NAN;
+    let text = serde_json::to_string(&frame).unwrap();
+    let again: Frame = serde_json::from_str(&text).unwrap();
+    assert_eq!(format!("{again:?}"), format!("{frame:?}"));
+    let mut sample = simulation.sample();
+    sample.outputs[0] = f64::NAN;
+    sample.holonomic_error = f64::NAN;
+    let text = serde_json::to_string(&sample).unwrap();
+    let again: Sample = serde_json::from_str(&text).unwrap();
+    assert_eq!(format!("{again:?}"), format!("{sample:?}"));
+    // Whole numbers are numbers; words are none.
+    let wrong = text.replace("null", "\"much\"");
+    assert!(serde_json::from_str::<Sample>(&wrong).is_err());
+    let whole = text.replace("null", "3");
+    let whole: Sample = serde_json::from_str(&whole).unwrap();
+    assert_eq!((whole.outputs[0], whole.holonomic_error), (3.0, 3.0));
 }

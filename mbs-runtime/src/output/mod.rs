@@ -27,6 +27,8 @@ pub use record::{Interrupted, Progress, Record, Recording};
 pub use save::Saved;
 pub use stream::SaveError;
 
+#[cfg(feature = "serde")]
+use crate::read_numbers::{list, number, points};
 use crate::{AnySimulation, Energy};
 
 /// One recorded instant of a run.
@@ -36,20 +38,27 @@ pub struct Frame {
     /// Time, s.
     pub time: f64,
     /// Generalized coordinates q, in the order and the units of [`Model::coordinates`](crate::Model::coordinates).
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "list"))]
     pub coordinates: Vec<f64>,
     /// Generalized velocities v, in those of [`Model::velocities`](crate::Model::velocities).
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "list"))]
     pub velocities: Vec<f64>,
     /// Values of the `Output`s and `State`s, in those of [`Model::outputs`](crate::Model::outputs).
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "list"))]
     pub outputs: Vec<f64>,
     /// Named points in world axes, m.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "points"))]
     pub points: Vec<[f64; 3]>,
     /// Joint reactions in the order of [`Model::reactions`](crate::Model::reactions); NaN where they are not known.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "list"))]
     pub reactions: Vec<f64>,
     /// The energy balance.
     pub energy: Energy,
     /// max |φ| over the rows as declared.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub holonomic_error: f64,
     /// max |A v + b|.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub velocity_error: f64,
 }
 

@@ -1,6 +1,8 @@
 //! Results of which the length depends on the mechanism.
 
 use super::Energy;
+#[cfg(feature = "serde")]
+use crate::read_numbers::{list, number};
 
 /// A row of results.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,12 +12,15 @@ pub struct Sample {
     /// Time, s.
     pub time: f64,
     /// In the order of [`Model::outputs`](crate::Model::outputs).
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "list"))]
     pub outputs: Vec<f64>,
     /// The energy balance.
     pub energy: Energy,
     /// max |φ| over the holonomic rows, each in its own unit.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub holonomic_error: f64,
     /// max |A v + b| over all rows, each in its own unit.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "number"))]
     pub velocity_error: f64,
 }
 
@@ -28,8 +33,10 @@ pub struct Reactions {
     /// description. ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
     pub unique: bool,
     /// In the order of [`Model::reactions`](crate::Model::reactions).
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "list"))]
     pub values: Vec<f64>,
     /// λ in the order of [`Model::rows`](crate::Model::rows).
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "list"))]
     pub multipliers: Vec<f64>,
 }
 
