@@ -116,6 +116,31 @@ fn short_runs_add_up_at_large_times() {
     }
 }
 
+/// A run that is less than a millionth of the given step moves: it is one step. It ended well without any motion.
+#[test]
+fn runs_much_shorter_than_the_step_move() {
+    for step in [1e5, 1e7, 1e9] {
+        let settings = Settings {
+            step,
+            ..Settings::default()
+        };
+        let mut free = Simulation::with_settings(Free::default(), settings).unwrap();
+        let found = free.run_to_event("tiny", 1.0).unwrap().unwrap();
+        assert!((found - 0.3).abs() < 1e-9, "{step:e}: {found}");
+        free.run_until(0.5).unwrap();
+        free.run_past(0.6, 0.7).unwrap();
+        assert_eq!(free.time(), 0.7);
+        let steps = free.report().steps;
+        for number in 8..=100 {
+            let time = 0.1 * f64::from(number);
+            free.run_until(time).unwrap();
+            let place = free.positions()[0];
+            assert!((place - time).abs() < 1e-12, "{step:e}: {place} {time}");
+        }
+        assert_eq!(free.report().steps, steps + 93);
+    }
+}
+
 #[test]
 fn events_of_tiny_values_are_found() {
     let mut simulation = Simulation::new(Free::default()).unwrap();

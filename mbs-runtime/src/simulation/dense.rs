@@ -44,13 +44,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let latest = latest.max(time);
         self.check_target(latest)?;
         self.check_inputs()?;
+        let end = self.end(latest);
         while self.time() < time
-            && let Some(h) = self.next_step(latest)
+            && let Some(h) = self.next_step(end)
         {
             self.leave_behind();
             self.forward(h, self.left(latest))?;
         }
-        self.land(latest)
+        self.land(end)
     }
 
     /// A whole step begins here.

@@ -9,17 +9,25 @@ use crate::state::rounding;
 use crate::{SimulationError, State, System, UnknownName};
 use nalgebra::SVector;
 
-/// A remainder below this fraction of a given step is no step: the next one makes up for it. It is larger than the rounding error of a
-/// sum of 1e8 steps.
+/// A remainder below this fraction of a given step, and of the run, is no step: the next one makes up for it. It is larger than the
+/// rounding error of a sum of 1e8 steps.
 const SLIVER: f64 = 1e-6;
 /// Bisections on the cubic of a step: its own error is larger than what they leave.
 const BISECTIONS: usize = 40;
 /// The factor by which a correction of the predicted instant is enlarged.
 const BEYOND: f64 = 1.5;
 
+/// The end of a run.
+#[derive(Clone, Copy)]
+pub(super) struct End {
+    time: f64,
+    /// The remainder before it that is no step, s.
+    sliver: f64,
+}
+
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// Runs to `time` exactly: the last step is shortened. (What is less than a millionth of a given step is left to the next step or
-    /// run; the time is that which was asked for.)
+    /// Runs to `time` exactly: the last step is shortened. (What is less than a millionth of a given step and of the run is left to the
+    /// next step or run; the time is that which was asked for.)
     ///
     /// # Errors
     /// A time in the past or not finite; otherwise as [`Simulation::step`].
@@ -30,17 +38,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         self.check_inputs()?;
         self.last_step_start.time = f64::INFINITY;
-        while let Some(h) = self.next_step(time) {
+        let end = self.end(time);
+        while let Some(h) = self.next_step(end) {
             self.forward(h, self.left(time))?;
         }
-        self.land(time)
+        self.land(end)
     }
 
     /// Refuses times that cannot be run to.
     pub(super) fn check_target(&self, wanted: f64) -> Result<(), SimulationError> {
         let now = self.time();
         let step = self.nominal();
-        let is_past = is_past(wanted, now) && wanted < now - self.sliver(now);
+        let is_past = is_past(wanted, now) && wanted < now - self.sliver(now, f64::INFINITY);
         if !wanted.is_finite() || is_past {
             return Err(SimulationError::Time { now, wanted });
         }
@@ -57,10 +66,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(())
     }
 
-    /// The step to take towards `time`; `None` on arrival.
-    pub(super) fn next_step(&self, time: f64) -> Option<f64> {
+    /// The end of a run that begins now.
+    pub(super) fn end(&self, time: f64) -> End {
+        let length = time - self.time();
+        let length = match length > rounding(time) {
+            true => length,
+            // Such a run goes nowhere: what earlier ones have left out stays so.
+            false => f64::INFINITY,
+        };
+        let sliver = self.sliver(time, length);
+        End { time, sliver }
+    }
+
+    /// The step to take towards the end of a run; `None` on arrival.
+    pub(super) fn next_step(&self, End { time, sliver }: End) -> Option<f64> {
         let (left, step) = (self.left(time), self.nominal());
-        let (rounding, sliver) = (rounding(time), self.sliver(time));
+        let rounding = rounding(time);
         if left <= sliver {
             None
         } else if (left - step).abs() <= rounding {
@@ -81,21 +102,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         time - now - clock
     }
 
-    /// The remainder that is no step, s. With a tolerance the last steps end at the time that was asked for, and a mechanism at
-    /// rest may have steps of any length.
-    fn sliver(&self, time: f64) -> f64 {
+    /// The remainder of a run of this length that is no step, s. With a tolerance the last steps end at the time that was asked for,
+    /// and a mechanism at rest may have steps of any length.
+    fn sliver(&self, time: f64, length: f64) -> f64 {
         match self.settings.tolerance {
             // At large times the round-off of the time is larger than such a remainder.
-            None => (SLIVER * self.settings.step).max(rounding(time)),
+            None => (SLIVER * self.settings.step.min(length)).max(rounding(time)),
             Some(_) => rounding(time),
         }
     }
 
     /// Removes the rounding of the sum of steps from the clock; the next step makes up for a remainder that was no step.
-    pub(super) fn land(&mut self, time: f64) -> Result<(), SimulationError> {
-        if self.next_step(time).is_some() {
+    pub(super) fn land(&mut self, end: End) -> Result<(), SimulationError> {
+        if self.next_step(end).is_some() {
             return Ok(());
         }
+        let time = end.time;
         let behind = -self.left(time);
         let state = self.integrator.state_mut();
         let is_moved = state.time != time;
@@ -130,11 +152,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.check_target(latest)?;
         self.check_inputs()?;
         let mut before = self.event(index)?;
-        while let Some(h) = self.next_step(latest) {
+        let end = self.end(latest);
+        while let Some(h) = self.next_step(end) {
             self.leave_behind();
             let books = self.books;
             self.forward(h, self.left(latest))?;
-            self.land(latest)?;
+            self.land(end)?;
             let after = self.event(index)?;
             if before != 0.0 && (after == 0.0 || !has_sign_of(before, after)) {
                 self.locate(index, books, before, after)?;
