@@ -4,7 +4,8 @@
 //!  tokens ─1 syntax─▶ tree ─2 model─▶ Model ─3 equations─▶ System ─4 derivatives─▶ Derived ─5 dag─▶ Program ─6 emit─▶ Rust
 //! ```
 //!
-//! User errors occur in stages 1 and 2 only; they are collected within a stage and stop the compiler between stages.
+//! Errors of users occur in stages 1 and 2; they are collected within a stage and stop the compiler between stages. What only
+//! the equations show is refused after them: `deny: Redundant()`, reactions that are not there, and the `budget`.
 //! Stages 3 to 5 have no tokens, and nothing outside stage 6 writes Rust.
 
 pub mod analysis;
