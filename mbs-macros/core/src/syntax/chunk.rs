@@ -1,10 +1,6 @@
 //! What stands between two commas of a declaration, as tokens.
 
-use super::item::Item;
-use crate::schema::Kinds;
-use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
-use syn::parenthesized;
-use syn::parse::{ParseStream, Parser};
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
 /// The entries, which are read one by one.
 pub(super) fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {
@@ -22,28 +18,6 @@ pub(super) fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {
     chunks
 }
 
-/// Reads an entry.
-///
-/// # Errors
-/// It is none. What is missing at its end is said at its last token.
-pub(super) fn read(chunk: &TokenStream, kinds: &Kinds) -> syn::Result<Item> {
-    check_tokens(&without_attributes(chunk))?;
-    let end = chunk.clone().into_iter().last();
-    let end = end.map_or_else(Span::call_site, |last| match last {
-        TokenTree::Group(group) => group.span_close(),
-        other => other.span(),
-    });
-    // The parser says at the end of brackets what is missing in them.
-    let mut brackets = Group::new(Delimiter::Parenthesis, chunk.clone());
-    brackets.set_span(end);
-    let read = |input: ParseStream| {
-        let inside;
-        parenthesized!(inside in input);
-        Item::parse(&inside, kinds)
-    };
-    read.parse2(TokenTree::Group(brackets).into())
-}
-
 /// An entry without what documents it.
 pub(super) fn without_attributes(chunk: &TokenStream) -> TokenStream {
     let mut tokens = chunk.clone().into_iter().peekable();
@@ -57,7 +31,7 @@ pub(super) fn without_attributes(chunk: &TokenStream) -> TokenStream {
 
 /// Refuses what expressions of Rust may have, but those of the language have not: attributes, which would be lost, and
 /// arguments after colons.
-fn check_tokens(tokens: &TokenStream) -> syn::Result<()> {
+pub(super) fn check_tokens(tokens: &TokenStream) -> syn::Result<()> {
     let mut tokens = tokens.clone().into_iter().peekable();
     while let Some(token) = tokens.next() {
         match token {

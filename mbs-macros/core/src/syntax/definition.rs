@@ -10,9 +10,9 @@
 
 use super::Entry;
 use super::assemblies::{Definition, Definitions, Port, Takes};
-use super::chunk::{read, split_at_commas};
+use super::chunk::split_at_commas;
 use super::entry::{ASSEMBLY, PORT};
-use super::item::{Item, read_header};
+use super::item::{Item, read, read_header};
 use super::levels::is_level;
 use super::parse::check_name;
 use super::paths::path_text;

@@ -1,5 +1,6 @@
 //! A declaration is read: its header, and what stands between two commas.
 
+use super::chunk::{check_tokens, without_attributes};
 use super::entry::entry;
 use super::families::{is_family, of_list};
 use super::height::height;
@@ -7,11 +8,13 @@ use super::members::FamilyItem;
 use super::nameless::nameless_world;
 use super::{Entry, MAX_DEPTH};
 use crate::schema::Kinds;
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
-use syn::parse::{Parse, ParseStream};
-use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced, token};
+use syn::parse::{Parse, ParseStream, Parser};
+use syn::{
+    Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced, parenthesized, token,
+};
 
 /// The header, and the tokens as text.
 pub(super) fn read_header(tokens: TokenStream) -> syn::Result<(Header, String)> {
@@ -210,4 +213,26 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
         }
     }
     Ok(lines.join("\n"))
+}
+
+/// Reads an entry.
+///
+/// # Errors
+/// It is none. What is missing at its end is said at its last token.
+pub(super) fn read(chunk: &TokenStream, kinds: &Kinds) -> syn::Result<Item> {
+    check_tokens(&without_attributes(chunk))?;
+    let end = chunk.clone().into_iter().last();
+    let end = end.map_or_else(Span::call_site, |last| match last {
+        TokenTree::Group(group) => group.span_close(),
+        other => other.span(),
+    });
+    // The parser says at the end of brackets what is missing in them.
+    let mut brackets = Group::new(Delimiter::Parenthesis, chunk.clone());
+    brackets.set_span(end);
+    let read = |input: ParseStream| {
+        let inside;
+        parenthesized!(inside in input);
+        Item::parse(&inside, kinds)
+    };
+    read.parse2(TokenTree::Group(brackets).into())
 }

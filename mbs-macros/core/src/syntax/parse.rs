@@ -1,10 +1,10 @@
 //! The parser: entries are split at commas first, so that an error in one entry does not hide errors in others.
 
 use super::assemblies::put_all;
-use super::chunk::{read, split_at_commas, without_attributes};
+use super::chunk::{split_at_commas, without_attributes};
 use super::definition::{declared_twice, with_definitions};
 use super::entry::{lost_parameter, place};
-use super::item::{Item, WITHOUT_RAW, is_word_of_rust, read_header, word_of_rust};
+use super::item::{Item, WITHOUT_RAW, is_word_of_rust, read, read_header, word_of_rust};
 use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
 use super::nameless::has_world;
