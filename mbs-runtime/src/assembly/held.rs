@@ -17,6 +17,9 @@ use nalgebra::SVector;
 const STRIDE: f64 = 0.25;
 /// The most of these parts.
 const MOST_STRIDES: f64 = 200.0;
+/// The longest Newton step, in lengths of the mechanism and radians: near a pose where a value is stationary a small change of it has
+/// a way of many turns.
+const LONGEST_STEP: f64 = 0.5;
 /// A held value that differs by less, in lengths of the mechanism and radians, is held.
 pub(super) const HELD: f64 = 1e-11;
 
@@ -320,6 +323,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Equatio
 
     fn moves(&mut self, way: &[f64], factor: f64, below: f64) -> bool {
         let way: SVector<f64, N> = vector(|i| way[i]);
+        let length = self.start.yardstick.measure(&way);
+        let factor = factor * (LONGEST_STEP / length).min(1.0);
         let trial = self.start.system.advance(self.q, &way, factor);
         let mut residual = self.start.violations(&trial);
         residual.extend(self.gaps(&trial));

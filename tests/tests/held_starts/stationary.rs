@@ -2,6 +2,7 @@
 
 use super::{is_consistent, near};
 use mbs_runtime::{Mechanism, Simulation, System, mechanism};
+use std::f64::consts::FRAC_PI_2;
 
 macro_rules! upright {
     ($name:ident, $coordinates:ident) => {
@@ -67,6 +68,31 @@ fn a_pendulum_leaves_the_top() {
     leaves_the_top::<NaturalUpright, _, _, _, _>();
     leaves_the_top::<ReferenceUpright, _, _, _, _>();
     leaves_the_top::<JointUpright, _, _, _, _>();
+}
+
+mechanism!(NearlyUpright {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Joint),
+    guess: Param(90.0_deg),
+    rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = guess),
+    pivot: Revolute(ground.origin, rod.a),
+    height: Output(rod.b.y),
+    angle: Output(rod.angle),
+});
+
+/// The first Newton step was the gap divided by a slope of 1e-6 to 1e-3, up to 1600 turns, which the angle counts.
+#[test]
+fn a_height_is_held_within_half_a_turn_of_the_guess() {
+    for offset in [0.0_f64, 1e-8, 1e-5, -1e-5, 1e-4, 1e-3, -1e-3] {
+        let guess = FRAC_PI_2 + offset;
+        for height in [0.9, 0.3, -0.25, -0.2625, -0.285, -0.9, -0.9975] {
+            let start = Simulation::start(NearlyUpright { guess }).hold("height", height);
+            let held = start.begin().unwrap();
+            let from_top = (FRAC_PI_2 - height.asin()).copysign(offset);
+            let angle = held.outputs().angle;
+            let off = angle - FRAC_PI_2 - from_top;
+            assert!(off.abs() < 1e-9, "{offset}, {height}: {angle} rad");
+        }
+    }
 }
 
 mechanism!(SliderCrank {
