@@ -99,11 +99,15 @@ fn frames_of_another_model_are_refused() {
             "0 velocities; the model has 1",
         ),
         (
-            |frame| drop(frame.outputs.pop()),
+            |frame| {
+                frame.outputs.pop();
+            },
             "3 outputs; the model has 4",
         ),
         (
-            |frame| drop(frame.reactions.pop()),
+            |frame| {
+                frame.reactions.pop();
+            },
             "1 reactions; the model has 2",
         ),
         (
