@@ -85,7 +85,7 @@ fn friction_beside_rows_keeps_its_digits() {
         let settings = settings(order, 1e-3);
         let errors =
             [rate!(Rub, settings), rate!(RubOnRows, settings)].map(|rate| (rate - exact).abs());
-        println!("order {order}: {:.1e} {:.1e} rad/s", errors[0], errors[1]);
+        println!("order {order}: {errors:.1e?} rad/s");
         assert!(errors.iter().all(|&error| error < bound), "{errors:?}");
     }
     let second = (rate!(RubOnRows, settings(2, 1e-3)) - exact).abs();
