@@ -1,6 +1,4 @@
 //! Newton's method for the end of an implicit trapezoid: p(q₁, v_b) − h/2 F(q₁, v_b) = known, q₁ = q₀ ⊕ h/2 (v_a + v_b).
-//! Between kicks, forces that depend on velocities are those of v̄ = ½(v_a + v_b):
-//! p(q₁, v_b) − h/2 (F(q₀, v̄) + F(q₁, v̄)) = known.
 
 use super::group::pull_back;
 use crate::System;
@@ -34,7 +32,6 @@ pub(crate) fn trapezoid<S: System<Q, N, R>, const Q: usize, const N: usize, cons
 #[derive(Clone)]
 pub(crate) struct Implicit<const N: usize> {
     h: f64,
-    t0: f64,
     t1: f64,
     /// p₀ + h/2 F₀ and the other known terms of the momentum balance.
     pub(crate) known: SVector<f64, N>,
@@ -44,8 +41,6 @@ pub(crate) struct Implicit<const N: usize> {
     pub(crate) by_end: RowMatrix<N, N>,
     f_q: RowMatrix<N, N>,
     f_v: RowMatrix<N, N>,
-    /// ∂F/∂v at the start of a step between kicks, or the mean of both ends where forces depend on velocities.
-    pub(crate) by_velocity: RowMatrix<N, N>,
     p_q: RowMatrix<N, N>,
     mass: RowMatrix<N, N>,
     force: SVector<f64, N>,
@@ -60,14 +55,12 @@ impl<const N: usize> Implicit<N> {
     pub(crate) fn new() -> Self {
         Implicit {
             h: 0.0,
-            t0: 0.0,
             t1: 0.0,
             known: SVector::zeros(),
             jacobian: Pivoted::new(),
             by_end: RowMatrix::zeros(),
             f_q: RowMatrix::zeros(),
             f_v: RowMatrix::zeros(),
-            by_velocity: RowMatrix::zeros(),
             p_q: RowMatrix::zeros(),
             mass: RowMatrix::zeros(),
             force: SVector::zeros(),
@@ -106,20 +99,17 @@ impl<const N: usize> Implicit<N> {
         }
     }
 
-    /// known ← p(q₀, v_a), with h/2 F(q₀, v_a) where no force depends on velocities, of a step between kicks.
-    pub(crate) fn impulse_between_kicks<S: System<Q, N, R>, const Q: usize, const R: usize>(
+    /// ∂F/∂v at the start of the step.
+    pub(crate) fn start_tangent<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
         t0: f64,
         q0: &SVector<f64, Q>,
-        va: &SVector<f64, N>,
+        v: &SVector<f64, N>,
+        f_v: &mut RowMatrix<N, N>,
     ) {
-        self.t0 = t0;
-        if const { S::STRUCTURE.velocity_forces } {
-            system.momentum(q0, va, &mut self.known);
-        } else {
-            self.impulse(system, t0, q0, va);
-        }
+        let f_v = f_v.entries_mut();
+        system.force_tangents(t0, q0, v, &mut Discard, f_v, &mut Discard);
     }
 
     /// −G at (q₁, v_b), the residual of the momentum balance.
@@ -135,26 +125,6 @@ impl<const N: usize> Implicit<N> {
         vector(|i| known[i] - momentum[i] + 0.5 * self.h * force[i])
     }
 
-    /// The same of a step between kicks.
-    fn defect_between_kicks<S: System<Q, N, R>, const Q: usize, const R: usize>(
-        &mut self,
-        system: &S,
-        [q0, q1]: [&SVector<f64, Q>; 2],
-        [va, vb]: [&SVector<f64, N>; 2],
-    ) -> SVector<f64, N> {
-        if const { !S::STRUCTURE.velocity_forces } {
-            return self.defect(system, q1, vb);
-        }
-        let mean = vector(|i| 0.5 * (va[i] + vb[i]));
-        system.forces(self.t0, q0, &mean, &mut self.force);
-        let first = self.force;
-        system.forces(self.t1, q1, &mean, &mut self.force);
-        system.momentum(q1, vb, &mut self.momentum);
-        let (known, momentum) = (entries(&self.known), entries(&self.momentum));
-        let force = entries(&self.force);
-        vector(|i| known[i] - momentum[i] + 0.5 * self.h * (first[i] + force[i]))
-    }
-
     /// J at (q₁, v_b) after a step that began with v_a, factored.
     pub(crate) fn refresh<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
@@ -163,64 +133,10 @@ impl<const N: usize> Implicit<N> {
         va: &SVector<f64, N>,
         vb: &SVector<f64, N>,
     ) -> Result<(), Fault> {
-        self.tangents(system, q1, vb);
-        self.factor::<S, Q, R>(va, vb, false)
-    }
-
-    /// The same of a step between kicks.
-    pub(crate) fn refresh_between_kicks<S: System<Q, N, R>, const Q: usize, const R: usize>(
-        &mut self,
-        system: &S,
-        [q0, q1]: [&SVector<f64, Q>; 2],
-        [va, vb]: [&SVector<f64, N>; 2],
-    ) -> Result<(), Fault> {
-        if const { !S::STRUCTURE.velocity_forces } {
-            return self.refresh(system, q1, va, vb);
-        }
-        let mean = vector(|i| 0.5 * (va[i] + vb[i]));
-        self.tangents(system, q1, &mean);
-        self.start_tangent(system, self.t0, q0, &mean);
-        let (by_velocity, f_v) = (self.by_velocity.entries_mut(), &self.f_v.data.0);
-        for (i, row) in by_velocity.iter_mut().enumerate() {
-            for j in 0..N {
-                row[j] = 0.5 * (row[j] + f_v[i][j]);
-            }
-        }
-        self.factor::<S, Q, R>(va, vb, true)
-    }
-
-    /// `by_velocity` ← ∂F/∂v at the start of the step.
-    pub(crate) fn start_tangent<S: System<Q, N, R>, const Q: usize, const R: usize>(
-        &mut self,
-        system: &S,
-        t0: f64,
-        q0: &SVector<f64, Q>,
-        v: &SVector<f64, N>,
-    ) {
-        let f_v = self.by_velocity.entries_mut();
-        system.force_tangents(t0, q0, v, &mut Discard, f_v, &mut Discard);
-    }
-
-    /// M and the tangents at the end of the step.
-    fn tangents<S: System<Q, N, R>, const Q: usize, const R: usize>(
-        &mut self,
-        system: &S,
-        q1: &SVector<f64, Q>,
-        v: &SVector<f64, N>,
-    ) {
+        let h = self.h;
         let (mass, p_q) = (self.mass.entries_mut(), self.p_q.entries_mut());
         let (f_q, f_v) = (self.f_q.entries_mut(), self.f_v.entries_mut());
-        system.balance_tangents(self.t1, q1, v, mass, f_q, f_v, p_q);
-    }
-
-    /// J from these tangents, `at_mean` with ∂F/∂v of both ends.
-    fn factor<S: System<Q, N, R>, const Q: usize, const R: usize>(
-        &mut self,
-        va: &SVector<f64, N>,
-        vb: &SVector<f64, N>,
-        at_mean: bool,
-    ) -> Result<(), Fault> {
-        let h = self.h;
+        system.balance_tangents(self.t1, q1, vb, mass, f_q, f_v, p_q);
         let (p_q, f_q) = (&self.p_q.data.0, &self.f_q.data.0);
         for (i, row) in self.by_end.entries_mut().iter_mut().enumerate() {
             for j in 0..N {
@@ -232,12 +148,7 @@ impl<const N: usize> Implicit<N> {
             pull_back::<S, Q, N, R>(&turn, &mut self.by_end);
         }
         let mut jacobian = *self.mass;
-        let f_v = if at_mean {
-            &self.by_velocity
-        } else {
-            &self.f_v
-        };
-        let (by_end, f_v) = (&self.by_end.data.0, &f_v.data.0);
+        let (by_end, f_v) = (&self.by_end.data.0, &self.f_v.data.0);
         for (i, row) in jacobian.data.0.iter_mut().enumerate() {
             for j in 0..N {
                 row[j] += 0.5 * h * (by_end[i][j] - f_v[i][j]);
@@ -275,10 +186,10 @@ impl<const N: usize> Implicit<N> {
         let mut last = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
             let q1 = trapezoid(system, q0, va, vb, self.h);
-            let mut change = self.defect_between_kicks(system, [q0, &q1], [va, vb]);
+            let mut change = self.defect(system, &q1, vb);
             let fresh = !self.current;
             if fresh {
-                self.refresh_between_kicks(system, [q0, &q1], [va, vb])?;
+                self.refresh(system, &q1, va, vb)?;
             }
             self.jacobian.solve(&mut change);
             add(vb, &change);

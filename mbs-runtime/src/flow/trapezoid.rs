@@ -6,16 +6,6 @@
 //! K = −∂G/∂v_a = M₀ − h/2 (p_q₁ − h/2 F_q₁) T + h/2 F_v₀
 //! ```
 //!
-//! Where forces depend on velocities, both F are those of v̄ = ½(v_a + v_b), and both F_v are ½(F_v₀ + F_v₁):
-//!
-//! ```text
-//! G = p(q₁, v_b) − p(q₀, v_a) − h/2 (F(q₀, v̄) + F(q₁, v̄)) = 0
-//! ```
-//!
-//! v_a and v_b differ from the velocities at the ends by the kicks, M⁻¹A₀ᵀκ₁ and −M⁻¹A₁ᵀκ₂, of the size of h times the
-//! accelerations that the rows prevent. A light body beside a row may be kicked to many times the regularization velocity
-//! of a friction, whose force is bounded there. In v̄ the kicks cancel but for h².
-//!
 //! F = f + ∂T/∂q holds the affinities; T, the tangent of ⊕, is I but for rotations. The multipliers of the first kick
 //! change q₁ by ∂q₁/∂v_a = h/2 T (I + J⁻¹K); with h I instead the iteration fails with stiff springs.
 
@@ -39,6 +29,8 @@ pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     vb: SVector<f64, N>,
     solver: Implicit<N>,
     yardstick: Yardstick<Q, N>,
+    /// F_v₀.
+    by_velocity: RowMatrix<N, N>,
     /// (∂v_b/∂v_a) w, row by row.
     far: RowMatrix<N, R>,
     /// (∂q₁/∂v_a) w / h, row by row.
@@ -56,6 +48,7 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
             vb: SVector::zeros(),
             solver: Implicit::new(),
             yardstick: *yardstick,
+            by_velocity: RowMatrix::zeros(),
             far: RowMatrix::zeros(),
             directions: RowMatrix::zeros(),
         })
@@ -88,8 +81,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         va: &SVector<f64, N>,
         q: &mut SVector<f64, Q>,
     ) -> Result<(), Fault> {
-        self.solver
-            .impulse_between_kicks(system, self.t0, &self.q0, va);
+        self.solver.impulse(system, self.t0, &self.q0, va);
         let (yardstick, q0) = (&self.yardstick, &self.q0);
         *q = self.solver.solve(system, yardstick, q0, va, &mut self.vb)?;
         self.q1 = *q;
@@ -108,14 +100,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         }
         let h = self.h;
         // The tangent is that at the end; its factors are used for the first correction of the next iteration.
-        let solver = &mut self.solver;
-        solver.refresh_between_kicks(system, [&self.q0, &self.q1], [va, &self.vb])?;
-        if const { !S::STRUCTURE.velocity_forces } {
-            solver.start_tangent(system, self.t0, &self.q0, va);
-        }
+        self.solver.refresh(system, &self.q1, va, &self.vb)?;
+        let f_v = &mut self.by_velocity;
+        self.solver
+            .start_tangent(system, self.t0, &self.q0, va, f_v);
         for r in 0..R {
             let w = &start.w.data.0[r];
-            let (f_v, by_end) = (&self.solver.by_velocity.data.0, &self.solver.by_end.data.0);
+            let (f_v, by_end) = (&f_v.data.0, &self.solver.by_end.data.0);
             // M₀ w is the row of A₀ that w came from.
             let mut far = start.a[r];
             for (i, far) in entries_mut(&mut far).iter_mut().enumerate() {
