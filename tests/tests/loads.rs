@@ -256,6 +256,14 @@ fn loads_that_are_not_there_are_named() {
                                      ~~~ `one` depends on itself
 });",
     );
+    refused(
+        "mechanism!(Rig {
+    world: Planar(),
+    bob: Particle(mass = 1.0_kg),
+    spring: SpringDamper(ground.origin, bob, stiffness = spring),
+                                                         ~~~~~~ `spring` is declared as `SpringDamper`, which has no value that an expression could use
+});",
+    );
     accepted(
         "mechanism!(Rig {
     world: Planar(),

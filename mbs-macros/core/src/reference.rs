@@ -65,10 +65,10 @@ Points have components and `velocity`; a coordinate has `rate`. Joints have what
 partner against the first: `angle`, `rate`, `stroke`, `speed`. In the plane the angle is between the x axes of the
 partners, in space it is 0 in the home pose. Angles of bars, bodies and joints are counted over full turns.
 
-Forces have `force` or `torque`, which every expression can read: the tension of a `SpringDamper` and the torque of a
-`TorsionSpring` as their laws give them, positive where they oppose a growing deflection; what a `Stop` or a `Friction` does
-along its target or speed, positive from the lower stop, against the speed; the value of a `Force`, a `Torque` or a `Wrench`;
-and both of a `Bushing`, as vectors on its second partner in the axes of the first.
+Forces have `force` or `torque`, which every expression that may move can read: the tension of a `SpringDamper` and the torque of a
+`TorsionSpring` as their laws give them, positive where they oppose a growing deflection; the force of a `Stop` along its target,
+positive from the lower stop; the force of a `Friction` along its speed, negative while the speed is positive; the value of a
+`Force`, a `Torque` or a `Wrench`, in its axes; and both of a `Bushing`, as vectors on its second partner in the axes of the first.
 
 An `Output` can also read what follows from the equations of motion: `acceleration` of parts and points, in space
 `angular_acceleration` of parts, `rate(…)` of expressions of velocities, and components of reactions, as in

@@ -26,8 +26,8 @@ use nalgebra::SVector;
 
 /// A step may be longer than the last one by this factor, so that it goes on with its accelerations.
 const LONGER: f64 = 4.0;
-/// What is proportional to a power of the length of steps is taken from steps at most shorter by this factor than the one before:
-/// in proportion to longer ones, the differences of shorter ones would grow without bound.
+/// What is proportional to a power of the length of steps is taken from a step that is shorter by at most this factor than the one
+/// that it was taken from before: in proportion to longer steps, the differences of shorter ones would grow without bound.
 const SHORTER: f64 = 2.0;
 /// A relative difference of lengths that is round-off.
 const SAME: f64 = 1e-9;
@@ -116,11 +116,16 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         let usable = self
             .history
             .filter(|history| h.abs() < LONGER * history.length.abs());
-        if let Some(history) = &self.history
-            && lasts(self.ahead.as_ref(), history.length)
-        {
-            let ahead = history.algorithmic - history.acceleration;
-            self.ahead = Some((history.length, ahead));
+        if let Some(history) = &self.history {
+            // Steps of one length take the place of all earlier ones.
+            let is_even = (h - history.length).abs() <= SAME * h.abs();
+            if is_even {
+                self.open = None;
+            }
+            if is_even || lasts(self.ahead.as_ref(), history.length) {
+                let ahead = history.algorithmic - history.acceleration;
+                self.ahead = Some((history.length, ahead));
+            }
         }
         let mut begins = match usable {
             Some(history) if !self.jumped => history,

@@ -69,9 +69,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// The end of a run that begins now.
     pub(super) fn end(&self, time: f64) -> End {
         let length = time - self.time();
-        let length = match length > rounding(time) {
+        let length = match is_past(self.time(), time) {
             true => length,
-            // Such a run goes nowhere: what earlier ones have left out stays so.
+            // The round-off of a sum of times: such a run goes nowhere, and what earlier ones have left out stays so.
             false => f64::INFINITY,
         };
         let sliver = self.sliver(time, length);

@@ -17,8 +17,10 @@ use syn::Expr as Syntax;
 impl Resolver<'_> {
     /// A force element; `None` if it has an error, which is recorded, or reads itself.
     pub(super) fn force_element(&mut self, index: usize) -> Option<Force> {
-        if let Some(ReadForce::Read(force)) = self.force_elements.get(&index) {
-            return force.clone();
+        match self.force_elements.get(&index) {
+            Some(ReadForce::Read(force)) => return force.clone(),
+            Some(ReadForce::Working) => return None,
+            None => {}
         }
         let entry = self.entry(index);
         let kind = self.kind_of(entry)?;

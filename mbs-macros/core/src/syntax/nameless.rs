@@ -22,7 +22,7 @@ pub(super) fn nameless_world(entry: TokenStream) -> Option<World> {
     is_world.then_some(world)
 }
 
-/// Whether an argument is a partner of a joint: one of the first two, or named so.
+/// Whether an argument is a partner of a joint: it has no name, or that of a partner.
 fn is_partner(argument: TokenStream) -> bool {
     let mut tokens = argument.into_iter();
     let is_named = |name: &TokenTree| {
