@@ -3,6 +3,7 @@
 use super::arguments::Arguments;
 use super::elements::bushing::{Displaced, relative_rotation};
 use super::elements::force::{Bushing, Force, ForceElement};
+use super::elements::laws::distance;
 use super::elements::{ReadForce, read_force};
 use super::geometry::{Attachment, Vector};
 use super::resolver::Resolver;
@@ -103,9 +104,7 @@ impl Resolver<'_> {
                 to,
                 characteristic,
             } => {
-                let difference = graph.vector_sub(*to, *from);
-                let length = graph.norm(difference);
-                let rate = graph.rate(length);
+                let [length, rate] = distance(graph, *from, *to);
                 let tension = characteristic.tension(graph, length, rate);
                 vec![along(tension, Some(Dimension::FORCE))]
             }

@@ -82,7 +82,10 @@ impl Item {
                 "documentation stands before its entry, and nothing follows here",
             ));
         }
-        let world = nameless_world(input.cursor().token_stream());
+        // The tokens of an entry are copied only where its name is missing.
+        let has_name = input.peek2(Token![:]);
+        let tokens = (!has_name).then(|| input.cursor().token_stream());
+        let world = tokens.and_then(nameless_world);
         let name = entry_name(input)?;
         if let Some(world) = world {
             let world = world.kind().name;

@@ -9,6 +9,7 @@ mod wrench;
 
 use crate::model::Model;
 use crate::model::elements::force::ForceElement;
+use crate::model::elements::laws::distance;
 use crate::symbolic::Graph;
 
 use observer::Observer;
@@ -23,9 +24,7 @@ pub(super) fn action(graph: &mut Graph, model: &Model, element: &ForceElement) -
             to,
             characteristic,
         } => {
-            let difference = graph.vector_sub(*to, *from);
-            let length = graph.norm(difference);
-            let rate = graph.rate(length);
+            let [length, rate] = distance(graph, *from, *to);
             spring::action(graph, characteristic, length, rate)
         }
         ForceElement::TorsionSpring {

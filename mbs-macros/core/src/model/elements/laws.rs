@@ -1,6 +1,7 @@
 //! The forces of elements as functions of deflection, depth and rate.
 
 use super::force::{Characteristic, Damping, Side, Stop};
+use crate::model::geometry::Vector;
 use crate::symbolic::{Expr, Function, Graph};
 
 impl Characteristic {
@@ -42,6 +43,13 @@ impl Damping {
             Damping::Table(table) => graph.table(table, 0, rate),
         }
     }
+}
+
+/// The distance of two points, and its rate.
+pub fn distance(graph: &mut Graph, from: Vector, to: Vector) -> [Expr; 2] {
+    let difference = graph.vector_sub(to, from);
+    let length = graph.norm(difference);
+    [length, graph.rate(length)]
 }
 
 /// Depths in a stop from where it begins, and from where its stiffness is constant.

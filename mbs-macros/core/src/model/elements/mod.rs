@@ -8,7 +8,7 @@ pub mod joint;
 mod joints;
 mod kind;
 pub(super) mod kinds;
-mod laws;
+pub mod laws;
 mod read;
 
 pub use element::{ForceEntry, JointEntry, ReadForce};
