@@ -7,7 +7,43 @@ use crate::common::scenes::DampedSleigh;
 use crate::common::spatial::Sprung;
 use crate::common::{Parameters, distance};
 use crate::composition::{run, settings, slopes};
-use mbs_runtime::{Settings, Simulation};
+use mbs_runtime::{Settings, Simulation, mechanism};
+
+mechanism!(Rub {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Joint),
+    link: Each(0..4, |k| Bar(
+        mass = 0.5_kg,
+        length = 0.1_m,
+        angle = (-80.0 + 10.0 * k) * 1.0_deg
+    )),
+    top: Revolute(ground.origin, link[0].a),
+    joint: Each(1..4, |k| Revolute(link[k - 1].b, link[k].a)),
+    rub: Friction(
+        top.rate,
+        load = 0.5_Nm,
+        coefficient = 0.3,
+        regularization_velocity = 0.05_rad_per_s
+    ),
+    rate: Output(link[0].rate),
+});
+
+mechanism!(RubOnRows {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Reference),
+    link: Each(0..4, |k| Bar(
+        mass = 0.5_kg,
+        length = 0.1_m,
+        angle = (-80.0 + 10.0 * k) * 1.0_deg
+    )),
+    top: Revolute(ground.origin, link[0].a),
+    joint: Each(1..4, |k| Revolute(link[k - 1].b, link[k].a)),
+    rub: Friction(
+        top.rate,
+        load = 0.5_Nm,
+        coefficient = 0.3,
+        regularization_velocity = 0.05_rad_per_s
+    ),
+    rate: Output(link[0].rate),
+});
 
 #[test]
 fn holonomic_rows_have_the_slopes() {
@@ -27,6 +63,34 @@ fn rotations_have_the_slopes() {
         ..Sprung::default()
     };
     slopes(soft, 0.4, [(4, 0.02), (6, 0.04), (8, 0.1)]);
+}
+
+/// A kick changes the velocity of a link by many times the regularization velocity: forces are taken before and after it.
+#[test]
+fn friction_beside_rows_keeps_its_digits() {
+    macro_rules! rate {
+        ($mechanism:ident, $settings:expr) => {{
+            let mut simulation =
+                Simulation::with_settings($mechanism::default(), $settings).unwrap();
+            simulation.run_until(0.2).unwrap();
+            simulation.outputs().rate
+        }};
+    }
+    let fine = Settings {
+        tolerance: Some(1e-9),
+        ..settings(6, 1e-3)
+    };
+    let exact = rate!(Rub, fine);
+    for (order, bound) in [(4, 1e-7), (6, 2e-9), (8, 2e-9)] {
+        let settings = settings(order, 1e-3);
+        let errors =
+            [rate!(Rub, settings), rate!(RubOnRows, settings)].map(|rate| (rate - exact).abs());
+        println!("order {order}: {errors:?} rad/s");
+        assert!(errors.iter().all(|&error| error < bound), "{errors:?}");
+    }
+    let second = (rate!(RubOnRows, settings(2, 1e-3)) - exact).abs();
+    let fourth = (rate!(RubOnRows, settings(4, 1e-3)) - exact).abs();
+    assert!(fourth < 1e-2 * second, "{fourth:e} {second:e}");
 }
 
 /// Through eleven singular poses, at which steps are placed.

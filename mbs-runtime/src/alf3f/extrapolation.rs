@@ -239,7 +239,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         _: &S,
         _: [f64; 2],
         _: &SVector<f64, Q>,
-        _: &SVector<f64, N>,
+        _: [&SVector<f64, N>; 2],
         _: &ConstraintGeometry<S, Q, N, R>,
         _: f64,
     ) {

@@ -38,7 +38,7 @@ where
         &context.system,
         [context.state.time, t1],
         &context.state.positions,
-        &kick.va,
+        [&context.state.velocities, &kick.va],
         &context.start,
         h,
     );

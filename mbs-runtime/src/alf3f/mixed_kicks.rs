@@ -38,10 +38,10 @@ where
         fixed: None,
     };
     let kappa = context.state.expected_impulse(h);
-    let mut va = context.state.velocities;
+    let (q, v) = (context.state.positions, context.state.velocities);
+    let mut va = v;
     accumulate(&mut va, &context.start.w, &kappa);
-    let q = context.state.positions;
-    flow.begin(&context.system, [t0, t1], &q, &va, &context.start, h);
+    flow.begin(&context.system, [t0, t1], &q, [&v, &va], &context.start, h);
     context.work.projection.regularised = false;
     let mut rows = Rows {
         beside: S::STRUCTURE.holonomic_rows > 0 && context.work.delassus.beside,

@@ -47,7 +47,7 @@ impl<const Q: usize, const N: usize, const R: usize> Stepping<Q, N, R> {
                 Stepping::Midpoint(Midpoint::new(yardstick, settings.order > 2))
             }
             Flow::Trapezoid if const { S::STRUCTURE.allows(Flow::Trapezoid) } => {
-                Stepping::Trapezoid(Trapezoid::new(yardstick))
+                Stepping::Trapezoid(Trapezoid::new(yardstick, None))
             }
             // Every mechanism can have it.
             _ => match large {
@@ -55,7 +55,11 @@ impl<const Q: usize, const N: usize, const R: usize> Stepping<Q, N, R> {
                     large.refresh(context);
                     Stepping::Large(large)
                 }
-                None => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
+                None => {
+                    let beside = const { S::STRUCTURE.velocity_forces && R > 0 };
+                    let factor = beside.then_some(&context.work.delassus);
+                    Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick, factor))
+                }
             },
         }
     }

@@ -111,7 +111,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         accumulate(&mut va, &bench.geometry.w, &kappa);
         let (t0, q) = (bench.state.time, bench.state.positions);
         let power = (bench.system).nonconservative_power(t0, &q, &bench.state.velocities);
-        flow.begin(&bench.system, [t0, t1], &q, &va, &bench.geometry, h);
+        flow.begin(
+            &bench.system,
+            [t0, t1],
+            &q,
+            [&bench.state.velocities, &va],
+            &bench.geometry,
+            h,
+        );
         let limits = Limits {
             most: bench.max_iterations,
             fixed: None,

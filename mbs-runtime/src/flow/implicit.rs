@@ -1,6 +1,8 @@
 //! Newton's method for the end of an implicit trapezoid: p(q₁, v_b) − h/2 F(q₁, v_b) = known, q₁ = q₀ ⊕ h/2 (v_a + v_b).
+//! Beside rows, forces that depend on velocities are those at v₁, to which a kick leads from v_b.
 
 use super::group::pull_back;
+use super::on_rows::OnRows;
 use crate::System;
 use crate::fault::Fault;
 use crate::linear::{Pivoted, RowMatrix, add, added, entries, vector};
@@ -112,6 +114,21 @@ impl<const N: usize> Implicit<N> {
         system.force_tangents(t0, q0, v, &mut Discard, f_v, &mut Discard);
     }
 
+    /// known ← p(q₀, v_a) + h/2 F(q₀, v₀) of a step between kicks.
+    pub(crate) fn impulse_on_rows<S: System<Q, N, R>, const Q: usize, const R: usize>(
+        &mut self,
+        system: &S,
+        t0: f64,
+        q0: &SVector<f64, Q>,
+        [v0, va]: [&SVector<f64, N>; 2],
+    ) {
+        system.momentum(q0, va, &mut self.momentum);
+        system.forces(t0, q0, v0, &mut self.force);
+        for i in 0..N {
+            self.known[i] = self.momentum[i] + 0.5 * self.h * self.force[i];
+        }
+    }
+
     /// −G at (q₁, v_b), the residual of the momentum balance.
     pub(crate) fn defect<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
@@ -120,6 +137,25 @@ impl<const N: usize> Implicit<N> {
         vb: &SVector<f64, N>,
     ) -> SVector<f64, N> {
         system.balance(self.t1, q1, vb, &mut self.momentum, &mut self.force);
+        self.residual()
+    }
+
+    /// The same with the force at v₁; the rows are then those at q₁.
+    fn defect_on_rows<S: System<Q, N, R>, const Q: usize, const R: usize>(
+        &mut self,
+        system: &S,
+        rows: &mut OnRows<N, R>,
+        q1: &SVector<f64, Q>,
+        vb: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, Fault> {
+        rows.evaluate(system, self.t1, q1)?;
+        let v1 = rows.velocities(system, vb);
+        system.momentum(q1, vb, &mut self.momentum);
+        system.forces(self.t1, q1, &v1, &mut self.force);
+        Ok(self.residual())
+    }
+
+    fn residual(&self) -> SVector<f64, N> {
         let (known, momentum) = (entries(&self.known), entries(&self.momentum));
         let force = entries(&self.force);
         vector(|i| known[i] - momentum[i] + 0.5 * self.h * force[i])
@@ -133,10 +169,41 @@ impl<const N: usize> Implicit<N> {
         va: &SVector<f64, N>,
         vb: &SVector<f64, N>,
     ) -> Result<(), Fault> {
-        let h = self.h;
+        self.tangents(system, q1, vb);
+        self.factor::<S, Q, R>(va, vb, None)
+    }
+
+    /// The same with the force at v₁, of which ∂v₁/∂v_b = P.
+    pub(crate) fn refresh_on_rows<S: System<Q, N, R>, const Q: usize, const R: usize>(
+        &mut self,
+        system: &S,
+        rows: &mut OnRows<N, R>,
+        q1: &SVector<f64, Q>,
+        [va, vb]: [&SVector<f64, N>; 2],
+    ) -> Result<(), Fault> {
+        self.tangents(system, q1, &rows.velocities(system, vb));
+        self.factor::<S, Q, R>(va, vb, Some(rows.project(&self.f_v)))
+    }
+
+    fn tangents<S: System<Q, N, R>, const Q: usize, const R: usize>(
+        &mut self,
+        system: &S,
+        q1: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) {
         let (mass, p_q) = (self.mass.entries_mut(), self.p_q.entries_mut());
         let (f_q, f_v) = (self.f_q.entries_mut(), self.f_v.entries_mut());
-        system.balance_tangents(self.t1, q1, vb, mass, f_q, f_v, p_q);
+        system.balance_tangents(self.t1, q1, v, mass, f_q, f_v, p_q);
+    }
+
+    /// J of these tangents, with `f_v` in place of F_v.
+    fn factor<S: System<Q, N, R>, const Q: usize, const R: usize>(
+        &mut self,
+        va: &SVector<f64, N>,
+        vb: &SVector<f64, N>,
+        f_v: Option<&RowMatrix<N, N>>,
+    ) -> Result<(), Fault> {
+        let h = self.h;
         let (p_q, f_q) = (&self.p_q.data.0, &self.f_q.data.0);
         for (i, row) in self.by_end.entries_mut().iter_mut().enumerate() {
             for j in 0..N {
@@ -148,7 +215,8 @@ impl<const N: usize> Implicit<N> {
             pull_back::<S, Q, N, R>(&turn, &mut self.by_end);
         }
         let mut jacobian = *self.mass;
-        let (by_end, f_v) = (&self.by_end.data.0, &self.f_v.data.0);
+        let f_v = f_v.unwrap_or(&self.f_v);
+        let (by_end, f_v) = (&self.by_end.data.0, &f_v.data.0);
         for (i, row) in jacobian.data.0.iter_mut().enumerate() {
             for j in 0..N {
                 row[j] += 0.5 * h * (by_end[i][j] - f_v[i][j]);
@@ -174,7 +242,8 @@ impl<const N: usize> Implicit<N> {
         }
     }
 
-    /// Solves for v_b, starting from the one given, and returns q₁ = q₀ ⊕ h/2 (v_a + v_b).
+    /// Solves for v_b, starting from the one given, and returns q₁ = q₀ ⊕ h/2 (v_a + v_b). With `rows` the force is that
+    /// at v₁.
     pub(crate) fn solve<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
@@ -182,15 +251,28 @@ impl<const N: usize> Implicit<N> {
         q0: &SVector<f64, Q>,
         va: &SVector<f64, N>,
         vb: &mut SVector<f64, N>,
+        mut rows: Option<&mut OnRows<N, R>>,
     ) -> Result<SVector<f64, Q>, Fault> {
         let mut last = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
             let q1 = trapezoid(system, q0, va, vb, self.h);
-            let mut change = self.defect(system, &q1, vb);
             let fresh = !self.current;
-            if fresh {
-                self.refresh(system, &q1, va, vb)?;
-            }
+            let mut change = match &mut rows {
+                Some(rows) if const { S::STRUCTURE.velocity_forces && R > 0 } => {
+                    let change = self.defect_on_rows(system, rows, &q1, vb)?;
+                    if fresh {
+                        self.refresh_on_rows(system, rows, &q1, [va, vb])?;
+                    }
+                    change
+                }
+                _ => {
+                    let change = self.defect(system, &q1, vb);
+                    if fresh {
+                        self.refresh(system, &q1, va, vb)?;
+                    }
+                    change
+                }
+            };
             self.jacobian.solve(&mut change);
             add(vb, &change);
             let least = || yardstick.imperceptible(&q1, self.h) / self.negligible;

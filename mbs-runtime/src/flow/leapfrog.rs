@@ -45,7 +45,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         system: &S,
         [_, t1]: [f64; 2],
         q: &SVector<f64, Q>,
-        va: &SVector<f64, N>,
+        [_, va]: [&SVector<f64, N>; 2],
         start: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {

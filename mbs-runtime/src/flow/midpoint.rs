@@ -97,7 +97,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         _: &S,
         [t0, _]: [f64; 2],
         q: &SVector<f64, Q>,
-        va: &SVector<f64, N>,
+        [_, va]: [&SVector<f64, N>; 2],
         _: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
@@ -123,9 +123,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         }
         self.solver.known = self.start;
         let at_rest = crate::linear::zeros();
-        self.middle =
-            self.solver
-                .solve(system, &self.yardstick, &self.q0, &at_rest, &mut self.vm)?;
+        self.middle = self.solver.solve(
+            system,
+            &self.yardstick,
+            &self.q0,
+            &at_rest,
+            &mut self.vm,
+            None,
+        )?;
         *q1 = system.advance(&self.q0, &self.vm, self.h);
         Ok(())
     }

@@ -6,6 +6,7 @@ mod group;
 mod implicit;
 mod leapfrog;
 mod midpoint;
+mod on_rows;
 mod trapezoid;
 
 use crate::linear::RowMatrix;
@@ -25,13 +26,13 @@ use crate::fault::Fault;
 
 /// A flow between two kicks.
 pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
-    /// Begins a step of h = t₁ − t₀ from q₀, where `va` is the first guess of the kicked velocity.
+    /// Begins a step of h = t₁ − t₀ from q₀ and v₀, with the first guess of the kicked velocity v_a.
     fn begin(
         &mut self,
         system: &S,
         times: [f64; 2],
         q: &SVector<f64, Q>,
-        va: &SVector<f64, N>,
+        velocities: [&SVector<f64, N>; 2],
         start: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     );
