@@ -263,3 +263,59 @@ fn inputs_that_are_set_together_pass_no_pose_between() {
     assert_eq!(reach.input_values(), [1.6, -1.1]);
     assert_eq!(reach.state().positions, before.positions);
 }
+
+/// A four-bar whose crank stands where an input wants it.
+macro_rules! four_bar {
+    ($name:ident, $coordinates:ident) => {
+        mechanism!($name {
+            world: Planar(coordinates = $coordinates),
+            wanted: Input(1.0_rad),
+            crank: Bar(mass = 1.0_kg, length = 0.1_m, angle = 1.0_rad),
+            coupler: Bar(mass = 1.0_kg, length = 0.3_m, angle = 20.0_deg),
+            rocker: Bar(mass = 1.0_kg, length = 0.25_m, angle = 100.0_deg),
+            foot: Revolute(ground.origin, crank.a),
+            pin: Revolute(crank.b, coupler.a),
+            top: Revolute(coupler.b, rocker.b),
+            heel: Revolute(ground.point(0.3_m, 0.0_m), rocker.a),
+            drive: Drive(foot.angle, value = wanted),
+            turned: Output(foot.angle),
+            swung: Output(heel.angle),
+            tip: Output(rocker.b),
+        });
+    };
+}
+
+four_bar!(ByAngles, Reference);
+four_bar!(ByPoints, Natural);
+four_bar!(ByJoints, Joint);
+
+/// Newton's method from the old pose ended in the other assembly, or with full turns.
+#[test]
+fn a_long_jump_ends_where_many_short_ones_do() {
+    macro_rules! ends {
+        ($mechanism:ident, $jump:expr) => {
+            [1, 400].map(|parts| {
+                let mut four_bar = Simulation::new($mechanism::default()).expect("it assembles");
+                for part in 1..=parts {
+                    let wanted = 1.0 + $jump * f64::from(part) / f64::from(parts);
+                    four_bar.set_input("wanted", wanted).expect("it is reached");
+                }
+                let out = four_bar.outputs();
+                [out.turned, out.swung, out.tip[0], out.tip[1]]
+            })
+        };
+    }
+    for jump in [
+        0.5, 1.0, 2.0, 3.0, 4.0, 6.0, 20.0, -1.0, -2.0, -3.0, -5.0, -20.0,
+    ] {
+        for (name, [at_once, slowly]) in [
+            ("by angles", ends!(ByAngles, jump)),
+            ("by points", ends!(ByPoints, jump)),
+            ("by joints", ends!(ByJoints, jump)),
+        ] {
+            let apart = (0..4).map(|i| (at_once[i] - slowly[i]).abs());
+            let apart = apart.fold(0.0, f64::max);
+            assert!(apart < 1e-6, "{name}, {jump} rad: {at_once:?} {slowly:?}");
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Rows that change during a run: where an input jumps or a parameter changes, the mechanism follows at once.
 
+use super::continuation::{follow_branch, is_far};
 use super::guess::check_start;
 use super::independence::independent_rows;
 use super::large;
@@ -14,8 +15,8 @@ use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
-/// Moves the positions of a state to the nearest ones with φ(q, t) = 0, and the velocities to the nearest ones with
-/// A v + b = 0. A state that satisfies the rows is left as it is.
+/// Moves the positions of a state to near ones with φ(q, t) = 0, and the velocities to the nearest ones with A v + b = 0. A state
+/// that satisfies the rows is left as it is. Rows that are far from closed are closed little by little, on the branch of the state.
 ///
 /// # Errors
 /// [`SimulationError::NoPose`] where no pose satisfies the rows, [`SimulationError::Contradiction`] where no velocities do,
@@ -114,7 +115,10 @@ fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     }
     let yardstick = Yardstick::new(system, settings.step);
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
-    if const { large::is_possible::<S, Q, N, R>() } && without_dense {
+    let mut phi = SVector::zeros();
+    system.holonomic(t, &state.positions, &mut phi);
+    let is_dense = is_far(&phi, &scale) && check_dense_start(N, R).is_ok();
+    if const { large::is_possible::<S, Q, N, R>() } && without_dense && !is_dense {
         let before = (t, &state.positions, &state.velocities);
         if let Some(found) = large::assemble(system, settings, before, &yardstick, &scale) {
             let (q, v, verdict) = found?;
@@ -125,9 +129,11 @@ fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     }
     let (mut q, mut v) = (state.positions, state.velocities);
     let mut geometry = ConstraintGeometry::new(system, &q).map_err(fault)?;
-    let mut phi = SVector::zeros();
     geometry.evaluate(system, t, &q, &mut phi).map_err(fault)?;
     let before = largest(&phi);
+    if follow_branch(system, t, &mut geometry, (&mut q, &phi), &scale).map_err(fault)? {
+        geometry.evaluate(system, t, &q, &mut phi).map_err(fault)?;
+    }
     close(system, t, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
     let rows = Dense {
         yardstick,

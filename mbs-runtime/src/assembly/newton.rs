@@ -39,7 +39,7 @@ pub(super) fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
         return Ok(());
     }
     let mut moved = guess;
-    let arrives = continuation::follow(system, t, geometry, &mut moved, scale)?;
+    let arrives = continuation::follow(system, t, geometry, &mut moved, scale, 1.0)?;
     if arrives {
         *q = moved;
     }
