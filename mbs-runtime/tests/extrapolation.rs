@@ -9,41 +9,31 @@ use crate::common::{Parameters, distance};
 use crate::composition::{run, settings, slopes};
 use mbs_runtime::{Settings, Simulation, mechanism};
 
-mechanism!(Rub {
-    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Joint),
-    link: Each(0..4, |k| Bar(
-        mass = 0.5_kg,
-        length = 0.1_m,
-        angle = (-80.0 + 10.0 * k) * 1.0_deg
-    )),
-    top: Revolute(ground.origin, link[0].a),
-    joint: Each(1..4, |k| Revolute(link[k - 1].b, link[k].a)),
-    rub: Friction(
-        top.rate,
-        load = 0.5_Nm,
-        coefficient = 0.3,
-        regularization_velocity = 0.05_rad_per_s
-    ),
-    rate: Output(link[0].rate),
-});
+/// Four hanging bars with a friction at the top hinge.
+macro_rules! rub {
+    ($name:ident, $coordinates:ident) => {
+        mechanism!($name {
+            world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = $coordinates),
+            link: Each(0..4, |k| Bar(
+                mass = 0.5_kg,
+                length = 0.1_m,
+                angle = (-80.0 + 10.0 * k) * 1.0_deg
+            )),
+            top: Revolute(ground.origin, link[0].a),
+            joint: Each(1..4, |k| Revolute(link[k - 1].b, link[k].a)),
+            rub: Friction(
+                top.rate,
+                load = 0.5_Nm,
+                coefficient = 0.3,
+                regularization_velocity = 0.05_rad_per_s
+            ),
+            rate: Output(link[0].rate),
+        });
+    };
+}
 
-mechanism!(RubOnRows {
-    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Reference),
-    link: Each(0..4, |k| Bar(
-        mass = 0.5_kg,
-        length = 0.1_m,
-        angle = (-80.0 + 10.0 * k) * 1.0_deg
-    )),
-    top: Revolute(ground.origin, link[0].a),
-    joint: Each(1..4, |k| Revolute(link[k - 1].b, link[k].a)),
-    rub: Friction(
-        top.rate,
-        load = 0.5_Nm,
-        coefficient = 0.3,
-        regularization_velocity = 0.05_rad_per_s
-    ),
-    rate: Output(link[0].rate),
-});
+rub!(Rub, Joint);
+rub!(RubOnRows, Reference);
 
 #[test]
 fn holonomic_rows_have_the_slopes() {
