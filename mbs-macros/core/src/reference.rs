@@ -18,27 +18,27 @@ pub fn page() -> String {
     let mut out = String::from(INTRODUCTION);
     let _ = writeln!(out, "\n## Worlds");
     for world in World::ALL {
-        entry(&mut out, world.kind(), "");
+        entry(&mut out, world.kind(), Some(world), "");
     }
     let _ = writeln!(out, "\n# Kinds of both worlds");
-    kinds(&mut out, model::kinds().common(), "");
+    kinds(&mut out, model::kinds().common(), None);
     for world in World::ALL {
         let _ = writeln!(out, "\n# Kinds of {}", world.describe());
-        let of = format!(" of {}", world.describe());
-        kinds(&mut out, model::kinds().own(world), &of);
+        kinds(&mut out, model::kinds().own(world), Some(world));
     }
     units(&mut out);
     out
 }
 
-/// With `of` behind each heading: the list of headings beside the page then says which world they belong to.
-fn kinds(out: &mut String, kinds: &[Kind], of: &str) {
+/// With the world behind each heading: the list of headings beside the page then says which world they belong to.
+fn kinds(out: &mut String, kinds: &[Kind], world: Option<World>) {
+    let of = world.map_or(String::new(), |world| format!(" of {}", world.describe()));
     for (group, heading) in HEADINGS {
         let mut list = kinds.iter().filter(|kind| kind.group == group).peekable();
         if list.peek().is_some() {
             let _ = writeln!(out, "\n## {heading}{of}");
         }
-        list.for_each(|kind| entry(out, kind, of));
+        list.for_each(|kind| entry(out, kind, world, &of));
     }
 }
 
@@ -61,7 +61,8 @@ are public.
 Parts have `velocity`, the axes `x`, `y` and `z`, points (`a`, `b`, `center` of a bar; `origin` and `center` of a body;
 `origin` of a particle and of the ground), `point(x, y)` or `point(x, y, z)` in their own axes, and `velocity_at(point)`; in
 the plane also `angle` and `rate`, in space `angular_velocity` and `frame([x, y, z], axis)`, a place and an axis for a joint.
-Points have components and `velocity`; a coordinate has `rate`. Joints have what their kind says below, of the second
+Points have components and `velocity`; a coordinate has `rate`. The name of a particle also stands for its point `origin`, where an
+argument takes a point: `Distance(ground.origin, bob, length = 1.0_m)`. Joints have what their kind says below, of the second
 partner against the first: `angle`, `rate`, `stroke`, `speed`. In the plane the angle is between the x axes of the
 partners, in space it is 0 in the home pose. Angles of bars, bodies and joints are counted over full turns.
 
@@ -110,14 +111,15 @@ gives the path first: `mechanism!(crate = product::mbs, SliderCrank { … })`, a
 This page is written by the compiler's own table of kinds, and tested to be up to date.
 ";
 
-fn entry(out: &mut String, kind: &Kind, of: &str) {
+fn entry(out: &mut String, kind: &Kind, world: Option<World>, of: &str) {
     let _ = writeln!(out, "\n### `{}`{of}\n\n{}\n", kind.name, kind.doc);
     let _ = writeln!(out, "| argument | takes | if left out | |");
     let _ = writeln!(out, "|---|---|---|---|");
-    kind.fields.iter().for_each(|field| row(out, field));
+    let fields = kind.fields.iter();
+    fields.for_each(|field| row(out, field, world));
 }
 
-fn row(out: &mut String, field: &Field) {
+fn row(out: &mut String, field: &Field, world: Option<World>) {
     let positional = if field.positional {
         " *(positional)*"
     } else {
@@ -135,12 +137,12 @@ fn row(out: &mut String, field: &Field) {
         out,
         "| `{}`{positional} | {}{held} | {absent} | {} |",
         field.name,
-        takes(field.expects),
+        takes(field.expects, world),
         field.doc
     );
 }
 
-fn takes(expects: Expects) -> String {
+fn takes(expects: Expects, world: Option<World>) -> String {
     let moving = "; may change with time, state and inputs";
     match expects {
         Expects::Known(dimension) => dimension.to_string(),
@@ -162,7 +164,10 @@ fn takes(expects: Expects) -> String {
         Expects::Sampled => "a number, a vector or a point".to_owned(),
         Expects::Point => "a point".to_owned(),
         Expects::Part | Expects::PartAngle => "a part or `ground`".to_owned(),
-        Expects::Axis => "`X`, `Y`, `Z` or components".to_owned(),
+        Expects::Axis => match world {
+            Some(World::Planar) => "`X`, `Y` or components `[x, y]`".to_owned(),
+            _ => "`X`, `Y`, `Z` or components `[x, y, z]`".to_owned(),
+        },
         Expects::Attachment => "a part with `at =`, a point, or a frame".to_owned(),
         Expects::Joint => "a joint".to_owned(),
         Expects::Orientation => "`turn(axis, angle)`, `quaternion(w, x, y, z)`, `axes(x, y)`, a part (as it is in the home pose), or a list of these, each in the axes that the one before has turned".to_owned(),
