@@ -120,11 +120,11 @@ impl fmt::Display for ParameterError {
                 before,
             } => write!(
                 out,
-                "the arguments of the table `{table}` increase, but the one of index {index} is {argument}, and the one before it {before}"
+                "the arguments of the table `{table}` have to increase, but the one of index {index} is {argument}, and the one before it {before}; give a larger one"
             ),
             ParameterError::TableNotFinite { table } => write!(
                 out,
-                "the curve through the points of the table `{table}` is not finite: values are too large, or arguments too close to each other"
+                "the curve through the points of the table `{table}` is not finite: give smaller values, or arguments farther apart"
             ),
         }
     }

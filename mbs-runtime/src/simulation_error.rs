@@ -395,7 +395,7 @@ impl fmt::Display for SimulationError {
             } => step::write_loss(out, (*time, *step), [*lost, *available], *adaptive),
             Mass { time } => write!(
                 out,
-                "the mass matrix is not positive definite at t = {} s: something moves without mass there",
+                "the mass matrix is not positive definite at t = {} s: something moves without mass there; use a smaller step, or give every part that moves mass and inertia",
                 clock(*time)
             ),
             StepUnderflow { time, step, row } => write!(

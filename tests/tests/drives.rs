@@ -101,7 +101,10 @@ fn what_cannot_be_reached_is_refused() {
         ),
         "{text}"
     );
-    assert!(text.ends_with("; the inputs keep their values"), "{text}");
+    assert!(
+        text.ends_with("; the inputs keep their values: give others, nearer to the present ones"),
+        "{text}"
+    );
     assert_eq!(reach.inputs().wanted, 0.5);
     reach.set_input("wanted", 0.7).expect("it is reached");
     reach.run_until(0.1).expect("it runs");
@@ -124,7 +127,7 @@ fn what_leads_a_drive_out_of_its_domain_is_refused() {
     let refused = domain.set_inputs(DomainInputs { part: 2.0 });
     assert_eq!(
         refused.expect_err("no root").to_string(),
-        "no pose near the present one fits these inputs; these rows have no finite values there: `drive`; the inputs keep their values"
+        "no pose near the present one fits these inputs; these rows have no finite values there: `drive`; the inputs keep their values: give others, nearer to the present ones"
     );
     assert_eq!(domain.inputs().part, 0.0);
     domain.run_until(0.1).expect("it goes on as before");

@@ -253,7 +253,7 @@ fn loads_that_are_not_there_are_named() {
     bob: Particle(mass = 1.0_kg, position = [x, 0.0_m]),
     one: Friction(x.rate, load = abs(two.force), coefficient = 0.1, regularization_velocity = 1.0_mm_per_s),
     two: Friction(x.rate, load = abs(one.force), coefficient = 0.1, regularization_velocity = 1.0_mm_per_s),
-                                     ~~~ `one` depends on itself
+                                     ~~~ `one` depends on itself; let it name only entries that do not lead back to it
 });",
     );
     refused(

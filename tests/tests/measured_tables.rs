@@ -174,7 +174,7 @@ fn data_that_are_no_curve_are_refused() {
     );
     assert_eq!(
         unsorted.to_string(),
-        "the arguments of the table `line` increase, but the one of index 2 is 0.2, and the one before it 0.3"
+        "the arguments of the table `line` have to increase, but the one of index 2 is 0.2, and the one before it 0.3; give a larger one"
     );
     let twice = refused(|p| p.rate[0] = [0.5, 0.5]);
     assert!(matches!(

@@ -146,7 +146,7 @@ fn messages_name_entry_argument_and_value() {
         (
             "height",
             0.0,
-            "`inertia` of `two` is 0: the size of a shape is positive",
+            "`inertia` of `two` is 0: the size of a shape has to be positive",
         ),
         (
             "radius",

@@ -326,7 +326,7 @@ fn places_of_space() {
         stick: Bar(mass = 1.0_kg, from = [0.0, 0.0, 0.0], to = stick.a + [1.0_m, 0.0, 0.0]),
                                                                ~~~~~
         ",
-        "`stick` depends on itself",
+        "`stick` depends on itself; let it name only entries that do not lead back to it",
     );
     points_at_in_space(
         "

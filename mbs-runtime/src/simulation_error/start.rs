@@ -21,7 +21,10 @@ pub(super) fn write_no_pose(
 ) -> fmt::Result {
     write!(out, "no pose near the present one fits these {changed}; ")?;
     write_open_rows(out, &verdict.worst_rows)?;
-    write!(out, "; the {changed} keep their values")
+    write!(
+        out,
+        "; the {changed} keep their values: give others, nearer to the present ones"
+    )
 }
 
 /// Rows that are not satisfied, or those of them that have no values.

@@ -176,7 +176,10 @@ impl<'d> Resolver<'d> {
                 ));
             }
             "Z" if self.world == World::Planar => {
-                return self.fail(place, "a planar world has no axis Z");
+                return self.fail(
+                    place,
+                    "a planar world has no axis Z; use X, Y or components [x, y]",
+                );
             }
             "X" | "Y" | "Z" => {
                 let axes = self.graph.ground_axes();
@@ -192,7 +195,7 @@ impl<'d> Resolver<'d> {
             self.note_use(name);
         }
         if matches!(self.states[index], State::Working) {
-            return self.fail(place, format!("`{name}` depends on itself"));
+            return self.fail(place, format!("`{name}` depends on itself; let it name only entries that do not lead back to it"));
         }
         self.force(index);
         if let Some(syntax) = self.moving_value(index) {

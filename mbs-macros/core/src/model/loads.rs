@@ -63,7 +63,7 @@ impl Resolver<'_> {
 
     fn load(&mut self, index: usize, name: &str, member: &Ident, place: Place) -> Option<Value> {
         if matches!(self.force_elements.get(&index), Some(ReadForce::Working)) {
-            return self.fail(place, format!("`{name}` depends on itself"));
+            return self.fail(place, format!("`{name}` depends on itself; let it name only entries that do not lead back to it"));
         }
         let force = self.force_element(index)?;
         let known = self.loads(&force.element);

@@ -157,7 +157,7 @@ impl Clusters {
         }
         if self.list[a].ground.is_some() && self.list[b].ground.is_some() {
             return Err(format!(
-                "`{}` and `{}` are both held by the ground, at different places: this joint cannot close",
+                "`{}` and `{}` are both held by the ground, at different places: this joint cannot close; move one of the points, or remove the joint",
                 parent.label, child.label
             ));
         }

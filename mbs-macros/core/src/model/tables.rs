@@ -50,14 +50,14 @@ impl Resolver<'_> {
             let place = arguments.item("arguments", k);
             return arguments.fail_at(
                 place,
-                "the arguments of a table increase, but this one is not larger than the one before",
+                "the arguments of a table have to increase, but this one is not larger than the one before; list the points in the order of their arguments, each once",
             );
         }
         let table = Table::new((self.tables.len(), name), &x, &y, interpolation, beyond);
         if !table.pieces().flatten().all(f64::is_finite) {
             return Arguments::new(self, entry).fail(
                 "values",
-                "the curve through these values is not finite: values are too large, or arguments too close to each other",
+                "the curve through these values is not finite: give smaller values, or arguments farther apart",
             );
         }
         let table = Arc::new(table.with_data(points, interpolation, beyond));

@@ -74,6 +74,10 @@ fn over<'e>(family: &Name, expr: &'e Expr) -> syn::Result<Over<'e>> {
 /// An end of a range.
 fn index(end: &Expr) -> syn::Result<usize> {
     let number = whole(end)?;
-    usize::try_from(number)
-        .map_err(|_| Error::new_spanned(end, "the indices of a family are not negative"))
+    usize::try_from(number).map_err(|_| {
+        Error::new_spanned(
+            end,
+            "the indices of a family are not negative: begin its range at 0 or above",
+        )
+    })
 }

@@ -72,9 +72,10 @@ impl Arguments<'_, '_> {
         }
         let q: [Expr; 4] = numbers.try_into().ok()?;
         if q.iter().all(|&x| self.by_default(x) == 0.0) {
-            return self
-                .resolver
-                .fail(Place::of(call), "the quaternion 0 is no rotation");
+            return self.resolver.fail(
+                Place::of(call),
+                "the quaternion 0 is no rotation; for none write quaternion(1.0, 0.0, 0.0, 0.0)",
+            );
         }
         Some(rotated(self.graph(), q))
     }
@@ -89,7 +90,7 @@ impl Arguments<'_, '_> {
         if self.by_default(square) < PARALLEL {
             return self.resolver.fail(
                 Place::of(&call.args[1]),
-                "the second axis is parallel to the first, so that they span no plane",
+                "the second axis is parallel to the first, so that they span no plane; give another second axis",
             );
         }
         let graph = self.graph();

@@ -81,7 +81,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
         {
             resolver.fail::<()>(
                 argument.name.span(),
-                format!("`{name}` is given by position already"),
+                format!("`{name}` is given by position already; keep one of them"),
             );
         }
         misplaced |= forgotten(resolver, argument, kind).is_some();

@@ -10,7 +10,7 @@ use crate::model::value::Value;
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
 
-const POSITIVE_SIZE: &str = "the size of a shape is positive";
+const POSITIVE_SIZE: &str = "the size of a shape has to be positive";
 
 impl Arguments<'_, '_> {
     /// `shape =`, for pictures only.

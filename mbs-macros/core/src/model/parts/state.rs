@@ -130,6 +130,9 @@ fn scale(arguments: &mut Arguments, dimension: Dimension) -> Option<f64> {
     }
     match scale > 0.0 && scale.is_finite() {
         true => Some(scale),
-        false => arguments.fail("scale", "a scale is positive: a usual size of the state"),
+        false => arguments.fail(
+            "scale",
+            "a scale has to be positive: give a usual size of the state",
+        ),
     }
 }

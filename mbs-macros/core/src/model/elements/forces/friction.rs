@@ -28,7 +28,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     arguments.refuse_negative("load", load)?;
     let coefficient = friction_coefficient(arguments, speed, dimension)?;
     let within = arguments.of_dimension("regularization_velocity", dimension)?;
-    let message = "`regularization_velocity` is positive";
+    let message = "`regularization_velocity` has to be positive";
     arguments.refuse_not_positive("regularization_velocity", within, message)?;
     let viscous = of_force
         .zip(dimension)
@@ -80,7 +80,7 @@ fn friction_coefficient(
     if arguments.by_default(at_rest) < arguments.by_default(kinetic) {
         return arguments.fail(
             pair[0],
-            "the static coefficient is smaller than the kinetic one",
+            "the static coefficient is smaller than the kinetic one; give it the value of `coefficient` at least",
         );
     }
     let more = arguments.graph().sub(at_rest, kinetic);
@@ -90,7 +90,7 @@ fn friction_coefficient(
         Wanted::NotNegative,
     );
     let decay = arguments.of_dimension(pair[1], dimension)?;
-    arguments.refuse_not_positive(pair[1], decay, "`stribeck_velocity` is positive")?;
+    arguments.refuse_not_positive(pair[1], decay, "`stribeck_velocity` has to be positive")?;
     let graph = arguments.graph();
     let ratio = graph.div(speed, decay);
     let square = graph.square(ratio);

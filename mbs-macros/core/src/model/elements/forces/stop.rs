@@ -39,13 +39,13 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
             arguments,
             "stiffness",
             stiffness,
-            "`stiffness` of a stop is positive",
+            "`stiffness` of a stop has to be positive",
         )?,
         onset: positive(
             arguments,
             "onset",
             dimension,
-            "`onset` of a stop is positive",
+            "`onset` of a stop has to be positive",
         )?,
         dissipation: arguments
             .not_negative("dissipation", rate.map(|r| Dimension::NONE.over(r)))?,
@@ -73,7 +73,7 @@ fn sides(arguments: &mut Arguments, dimension: Option<Dimension>) -> Option<Vec<
             if !(arguments.by_default(room) > 0.0) {
                 return arguments.fail(
                     "upper",
-                    "the upper stop begins where the lower one does, or below it",
+                    "the upper stop begins where the lower one does, or below it; give `upper =` a larger value than `lower =`",
                 );
             }
             let wanted = Wanted::Positive("the upper stop has to begin above the lower one");

@@ -28,7 +28,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
             let name = arguments.owner_name(owner);
             return arguments.fail(
                 field,
-                format!("`{name}` is a particle: a torque cannot turn it"),
+                format!("`{name}` is a particle: a torque cannot turn it; use a `Body` or a `Bar`"),
             );
         }
     }
