@@ -65,7 +65,7 @@ pub fn largest_error(data: &Data) -> Result<String, String> {
         .map(|line| line.number("error_over_accuracy"));
     let most = errors.try_fold(0.0, |most: f64, error| Ok::<_, String>(most.max(error?)))?;
     Ok(paragraph(&format!(
-        "In the table of all scenes below the largest error is {} times the accuracy that was asked for.",
+        "In the table of [all scenes](results/accuracy.md#accuracies) the largest error is {} times the accuracy that was asked for.",
         significant(most, 2)
     )))
 }

@@ -1,11 +1,13 @@
 //! What rustc compiles for a mechanism.
 
 use super::data::{Data, Line};
-use super::markdown::{table as markdown_table, thousands};
+use super::markdown::{paragraph, significant, table as markdown_table, thousands};
 
 const FILE: &str = "readme/compile.csv";
 const ORIGINS: &str = "readme/compile_origins.csv";
 const METHODS: &str = "readme/compile_methods.csv";
+/// What every crate takes is a small part of the time from so many statements on.
+const LARGE: f64 = 5000.0;
 
 /// Sizes and times as mechanisms grow.
 pub fn table(data: &Data) -> Result<String, String> {
@@ -44,6 +46,26 @@ pub fn table(data: &Data) -> Result<String, String> {
         markdown_table(&heading, &rows?),
         results.source()
     ))
+}
+
+/// Processor time of a statement in release, of the mechanisms that are large.
+pub fn of_statement(data: &Data) -> Result<String, String> {
+    let results = data.table(FILE)?;
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for line in results.lines() {
+        let statements = line.number("statements")?;
+        if statements > LARGE {
+            let time = 1e3 * line.number("release_s")? / statements;
+            (least, most) = (least.min(time), most.max(time));
+        }
+    }
+    Ok(paragraph(&format!(
+        "In the table above ({}) the mechanisms of more than {} statements took {} to {} ms of processor time a statement in release.",
+        results.source(),
+        thousands(LARGE),
+        significant(least, 2),
+        significant(most, 2),
+    )))
 }
 
 /// Lines of LLVM IR by origin.

@@ -48,6 +48,8 @@ pub const fn file(path: &'static str, render: Render) -> Entry {
 const README: &str = "README.md";
 const INTRODUCTION: &str = "book/src/introduction.md";
 const ACCURACY: &str = "book/src/accuracy.md";
+const ACCURACY_COSTS: &str = "book/src/results/accuracy.md";
+const CHOICE: &str = "book/src/theory/choice.md";
 const COORDINATES: &str = "book/src/coordinates.md";
 const COMMAND_LINE: &str = "book/src/command-line.md";
 const TWO_LEVELS: &str = "book/src/theory/two-levels.md";
@@ -83,17 +85,17 @@ pub const ENTRIES: &[Entry] = &[
     block(README, "instructions", instructions::beside_hand),
     block(README, "derivation", derivation::sentence),
     block(ACCURACY, "samples", orders::samples),
-    block(ACCURACY, "accuracies", accuracies::table),
+    block(ACCURACY_COSTS, "accuracies", accuracies::table),
     block(ACCURACY, "largest error", accuracies::largest_error),
-    block(ACCURACY, "ratios", accuracies::ratios),
-    block(ACCURACY, "method changes", method_changes::table),
+    block(ACCURACY_COSTS, "ratios", accuracies::ratios),
+    block(CHOICE, "method changes", method_changes::table),
     block(ACCURACY, "looks", tolerances::looks),
-    block(ACCURACY, "tolerances", tolerances::table),
-    block(ACCURACY, "other orders", tolerances::others),
-    block(ACCURACY, "compositions", compositions::table),
-    block(ACCURACY, "phases", phases::table),
-    block(ACCURACY, "rival settings", rival::settings),
-    block(ACCURACY, "calls", calls::table),
+    block(ACCURACY_COSTS, "tolerances", tolerances::table),
+    block(ACCURACY_COSTS, "other orders", tolerances::others),
+    block(ACCURACY_COSTS, "compositions", compositions::table),
+    block(ACCURACY_COSTS, "phases", phases::table),
+    block(ACCURACY_COSTS, "rival settings", rival::settings),
+    block(ACCURACY_COSTS, "calls", calls::table),
     block(COMMAND_LINE, "samples", orders::samples),
     block(COORDINATES, "candidates", candidates::text),
     block(TWO_LEVELS, "rows", rows::measured),
@@ -111,6 +113,11 @@ pub const ENTRIES: &[Entry] = &[
     ),
     block(MODEL_SIZE, "models", model_size::table),
     block(COMPILE_TIMES, "compile times", compile_times::table),
+    block(
+        COMPILE_TIMES,
+        "time of a statement",
+        compile_times::of_statement,
+    ),
     block(COMPILE_TIMES, "methods", compile_times::methods),
     block(COMPILE_TIMES, "origins", compile_times::origins),
     block(FIGURES[0], "runs", paper::runs_1),

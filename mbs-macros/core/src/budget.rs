@@ -7,8 +7,8 @@ use crate::emit::Size;
 use crate::model;
 use crate::syntax::Declaration;
 
-/// What rustc takes for a statement in release, measured on the mechanisms of the page on compile times: 0.4 to 1.5 ms,
-/// and bytes beside those that it takes for any crate.
+/// About what rustc takes for a statement in release, by the mechanisms of the page on compile times, and bytes beside those that it
+/// takes for any crate.
 const SECONDS: f64 = 0.6e-3;
 const BYTES: [f64; 2] = [2e8, 1e4];
 /// The most names in a message.

@@ -19,10 +19,11 @@ const PHI: usize = 9;
 const RATE: usize = 10;
 const BRANCH: usize = 11;
 
-/// The ends of the runs of a figure; `compared` gives the energy error of a run after [`COMPARED`].
+/// The ends of the runs of a figure; `compared` gives the energy error of a run after [`COMPARED`]. A run that stops does so within a
+/// nominal step, so that the error at its end may be larger than that of every whole step.
 pub fn run_table(runs: &[Row], compared: &dyn Fn(&str) -> Option<String>) -> String {
     let mut out = String::from(
-        "| run | settings | reached, s | energy error at 20 s, J | at the end | largest | \\|φ\\| | \\|ψ̇\\| | rejected |\n\
+        "| run | settings | reached, s | energy error at 20 s, J | the same at the end, J | largest at the end of a whole step, J | largest \\|φ\\| | largest \\|ψ̇\\| | rejected |\n\
          |---|---|---|---|---|---|---|---|---|\n",
     );
     for row in runs.iter().filter(|row| row[0] != EXACT) {
