@@ -3,7 +3,7 @@
 use super::closing::{Equations, Linearised, norm, solve};
 use super::conditions::Condition;
 use super::newton::{ASSEMBLED, close};
-use super::stationary::{ASIDE, Nearest, Vicinity};
+use super::stationary::{ASIDE, FARTHER_ASIDE, Nearest, Vicinity};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{entries, vector};
@@ -64,7 +64,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         let begin = match &vicinity.aside {
             None => vec![*guess],
             Some(way) => {
-                let [one, other] = [ASIDE, -ASIDE].map(|factor| system.advance(&q, way, factor));
+                let [one, other] = [1.0, -1.0].map(|factor| system.advance(&q, way, factor));
                 vec![one, other, *guess]
             }
         };
@@ -91,9 +91,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
     ) -> Vicinity<N> {
         let Start { system, scale, .. } = *self;
-        let ways = self.free_ways(Level::Position, geometry);
+        let ways = self.ways(Level::Position, geometry, (q, v));
         let unscaled = vec![1.0; self.count(Level::Position)];
-        self.vicinity(Level::Position, (q, v), &ways, ASIDE, &mut |way, factor| {
+        let sizes = (1.0, &[ASIDE, FARTHER_ASIDE][..]);
+        self.vicinity(Level::Position, (q, v), &ways, sizes, &mut |way, factor| {
             let (mut q, mut phi) = (system.advance(q, way, factor), SVector::zeros());
             geometry.evaluate(system, 0.0, &q, &mut phi).ok()?;
             close(system, 0.0, geometry, &mut q, &mut phi, scale).ok()?;
@@ -102,19 +103,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         })
     }
 
-    /// The held velocities around v, and the size of a step aside.
+    /// The held velocities around v.
     pub(super) fn velocities_around(
         &self,
         geometry: &ConstraintGeometry<S, Q, N, R>,
         (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
-    ) -> (Vicinity<N>, f64) {
-        let ways = self.free_ways(Level::Velocity, geometry);
+    ) -> Vicinity<N> {
+        let ways = self.ways(Level::Velocity, geometry, (q, v));
         let unscaled = vec![1.0; self.count(Level::Velocity)];
-        let size = ASIDE * self.fastest(q, v);
-        let vicinity = self.vicinity(Level::Velocity, (q, v), &ways, size, &mut |way, factor| {
+        let fastest = self.fastest(q, v);
+        // The speed of a small square is much larger than this.
+        let root = fastest.sqrt();
+        let sizes = [ASIDE * fastest, ASIDE * root, root];
+        let sizes = (fastest, &sizes[..if root > fastest { 3 } else { 1 }]);
+        self.vicinity(Level::Velocity, (q, v), &ways, sizes, &mut |way, factor| {
             Some(self.gaps(Level::Velocity, q, &(v + way * factor), &unscaled))
-        });
-        (vicinity, size)
+        })
     }
 
     /// Moves q to a pose that satisfies the rows and holds the positions. Values that are far from those of the guess move

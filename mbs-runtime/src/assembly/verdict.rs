@@ -262,11 +262,11 @@ fn set_in_motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
     let (system, scale, yardstick) = (start.system, start.scale, start.yardstick);
     let speed = yardstick.measure(declared);
     let violation = |v: &SVector<f64, N>| scale.displacement(&geometry.velocity_rows(system, v));
-    let (vicinity, aside) = start.velocities_around(geometry, (q, free));
+    let vicinity = start.velocities_around(geometry, (q, free));
     let begin = match &vicinity.aside {
         None => vec![*declared],
         Some(way) => {
-            let [one, other] = [aside, -aside].map(|factor| free + way * factor);
+            let [one, other] = [free + way, free - way];
             vec![one, other, *declared]
         }
     };

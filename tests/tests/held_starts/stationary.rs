@@ -177,3 +177,96 @@ fn mechanisms_in_space_leave_their_home_pose() {
     near(held.output("place.x").unwrap(), 0.0);
     is_consistent(&held);
 }
+
+macro_rules! even {
+    ($name:ident, $coordinates:ident) => {
+        mechanism!($name {
+            world: Planar(coordinates = $coordinates),
+            a: Particle(mass = 1.0_kg, at = [0.0, 0.0]),
+            b: Particle(mass = 1.0_kg, at = [0.0, 0.0]),
+            rail: PointOnLine(a.origin, ground.origin, axis = X),
+            other: PointOnLine(b.origin, ground.origin, axis = X),
+            rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = 90.0_deg),
+            pivot: Revolute(ground.origin, rod.a),
+            charge: State(initial = 0.0, rate = -1.0_per_s * charge),
+            x: Output(a.origin.x),
+            speed: Output(a.velocity.x),
+            square: Output(a.velocity.x * a.velocity.x),
+            quartic: Output(a.origin.x * a.origin.x * a.origin.x * a.origin.x),
+            power: Output(charge * charge),
+            places: Output(a.origin.x * a.origin.x + 0.01 * b.origin.x * b.origin.x),
+            speeds: Output(a.velocity.x * a.velocity.x + 0.01 * b.velocity.x * b.velocity.x),
+        });
+    };
+}
+
+even!(NaturalEven, Natural);
+even!(JointEven, Joint);
+
+/// The start has each of these values.
+fn has<
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
+    values: &[(&str, f64)],
+) {
+    let start = Simulation::start(M::default());
+    let start = (values.iter()).fold(start, |start, &(name, value)| start.hold(name, value));
+    let held = start.begin().unwrap();
+    for &(name, value) in values {
+        let off = held.output(name).unwrap() - value;
+        assert!(off.abs() <= 1e-11 * value.abs(), "`{name}` is off by {off}");
+    }
+    is_consistent(&held);
+}
+
+fn leaves_zero<
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>() {
+    for square in [1e6, 1e-2, 1e-6] {
+        has::<M, _, _, _, _>(&[("square", square)]);
+    }
+    for quartic in [16.0, 0.1, 1e-6] {
+        has::<M, _, _, _, _>(&[("quartic", quartic)]);
+    }
+    for power in [9.0, 0.3, 1e-6] {
+        has::<M, _, _, _, _>(&[("power", power)]);
+    }
+    has::<M, _, _, _, _>(&[("power", 0.3), ("square", 1e-6), ("quartic", 0.1)]);
+}
+
+/// Such values were called constant: of v² = 1e-6 a step aside by a thousandth of that changes 1e-18.
+#[test]
+fn small_squares_fourth_powers_and_those_of_states_are_held() {
+    leaves_zero::<NaturalEven, _, _, _, _>();
+    leaves_zero::<JointEven, _, _, _, _>();
+}
+
+fn leaves_beside<
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>() {
+    for (x, places) in [(0.0, 1e-4), (0.0, 1e-2), (0.02, 1e-2)] {
+        has::<M, _, _, _, _>(&[("places", places), ("x", x)]);
+    }
+    for (speed, speeds) in [(0.0, 1e-4), (1e-3, 1e-4)] {
+        has::<M, _, _, _, _>(&[("speeds", speeds), ("speed", speed)]);
+    }
+}
+
+/// The step aside was along x, which is held: the gradients were the same, and the values refused.
+#[test]
+fn a_stationary_value_beside_a_regular_one_leaves_by_another_way() {
+    leaves_beside::<NaturalEven, _, _, _, _>();
+    leaves_beside::<JointEven, _, _, _, _>();
+}
