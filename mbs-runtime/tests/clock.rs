@@ -52,6 +52,32 @@ fn the_clock_does_not_run_back() {
     assert!(matches!(error, SimulationError::Time { .. }), "{error}");
 }
 
+/// A millionth of such a step is longer than the run so far. Times before it were reached without an error.
+#[test]
+fn the_past_is_refused_whatever_the_step() {
+    for step in [1e5, 1e9, 1e15] {
+        let settings = Settings {
+            step,
+            ..Settings::default()
+        };
+        let mut free = Simulation::with_settings(Free::default(), settings).unwrap();
+        free.run_until(0.5).unwrap();
+        for wanted in [0.4, 0.0, -1e-3, -100.0] {
+            let errors = [
+                free.run_until(wanted).err(),
+                free.run_to_event("tiny", wanted).err(),
+            ];
+            for error in errors {
+                assert!(
+                    matches!(error, Some(SimulationError::Time { .. })),
+                    "{step:e}, {wanted}: {error:?}"
+                );
+            }
+            assert_eq!(free.time(), 0.5);
+        }
+    }
+}
+
 #[test]
 fn times_that_are_not_numbers_are_refused() {
     let mut simulation = simulation(Settings::default()).unwrap();
