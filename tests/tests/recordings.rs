@@ -127,10 +127,22 @@ fn frames_of_another_model_are_refused() {
         }
     }
     assert!(!folder.exists());
-    // Rows of a table have a value in each column.
+    // Rows of a table have a value in each column. The header and the rows before were written, and an earlier file replaced.
     let short = changed(|frame| frame.velocities.clear());
-    let error = short.write_csv(io::sink()).unwrap_err();
-    assert_eq!(error.kind(), io::ErrorKind::InvalidData);
+    fs::create_dir_all(&folder).unwrap();
+    let mut table = Vec::new();
+    for error in [
+        short.write_csv(&mut table).unwrap_err(),
+        short.write_npz(folder.join("short.npz")).unwrap_err(),
+    ] {
+        assert_eq!(error.kind(), io::ErrorKind::InvalidData);
+        assert_eq!(
+            error.to_string(),
+            "frame 3 has 0 velocities; the model has 1"
+        );
+    }
+    assert_eq!(table, b"");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
     let timeless = changed(|frame| frame.time = f64::INFINITY);
     for picture in [
         plot::outputs(&timeless),

@@ -8,14 +8,20 @@ use crate::Model;
 /// Refuses frames of which a list is not as long as that of the model, or the time is not finite.
 pub(super) fn check_frames(model: &Model, frames: &[Frame]) -> io::Result<()> {
     check_times(frames)?;
-    let table = Lengths::of(model);
+    check_columns(model, frames)?;
     for (number, frame) in frames.iter().enumerate() {
-        table.check(number, frame)?;
         let (points, reactions) = (model.points.len(), model.reactions.len());
         check_length(number, "points", frame.points.len(), points)?;
         check_length(number, "reactions", frame.reactions.len(), reactions)?;
     }
     Ok(())
+}
+
+/// Refuses frames that have not a value in each column of the table.
+pub(super) fn check_columns(model: &Model, frames: &[Frame]) -> io::Result<()> {
+    let table = Lengths::of(model);
+    let mut numbered = frames.iter().enumerate();
+    numbered.try_for_each(|(number, frame)| table.check(number, frame))
 }
 
 /// Refuses frames of which the time is not finite.

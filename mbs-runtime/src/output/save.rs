@@ -6,7 +6,7 @@ use std::io::{self, BufWriter};
 use std::path::Path;
 
 use super::csv::CsvWriter;
-use super::frame_check::check_frames;
+use super::frame_check::{check_columns, check_frames};
 use super::motion::write_motion_of;
 use super::npz::NpzWriter;
 use super::path_error::about;
@@ -46,8 +46,10 @@ impl Recording {
     /// Writes the instants as a table.
     ///
     /// # Errors
-    /// `out` cannot be written; otherwise as [`CsvWriter::write`].
+    /// Before anything is written, frames whose coordinates, velocities or outputs are not as many as those of the model
+    /// ([`io::ErrorKind::InvalidData`]); `out` cannot be written.
     pub fn write_csv(&self, out: impl io::Write) -> io::Result<()> {
+        check_columns(self.model, &self.frames)?;
         let mut table = CsvWriter::new(BufWriter::new(out), self.model)?;
         for frame in &self.frames {
             table.write(frame)?;
@@ -61,8 +63,10 @@ impl Recording {
     /// Writes the columns of the same table to a binary file for NumPy and Julia ([`npz`](super::npz)).
     ///
     /// # Errors
-    /// As [`NpzWriter::create`], [`NpzWriter::write`] and [`NpzWriter::finish`].
+    /// Before a file is made, frames as in [`Recording::write_csv`]; otherwise as [`NpzWriter::create`], [`NpzWriter::write`] and
+    /// [`NpzWriter::finish`].
     pub fn write_npz(&self, path: impl AsRef<Path>) -> io::Result<()> {
+        check_columns(self.model, &self.frames)?;
         let mut columns = NpzWriter::create(path, self.model)?;
         for frame in &self.frames {
             columns.write(frame)?;
