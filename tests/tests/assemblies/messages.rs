@@ -20,6 +20,17 @@ mechanism!(M { world: Planar(), a: Assembly(A), o: Output(a.q.origin.x) });
 }
 
 #[test]
+fn one_value_for_two_arguments() {
+    refused(
+        "
+assembly!(A { world: Planar(), l: Port(Number), k: Port(Number), p: Particle(mass = 1.0_kg, at = [l * 1.0_m, k * 1.0_m], free = true) });
+mechanism!(M { world: Planar(), a: Assembly(A, l = k = 1.0), o: Output(a.p.origin.x) });
+                                                   ~~~~~~~ each argument has a value of its own: write `l = 1.0, k = 1.0`
+        ",
+    );
+}
+
+#[test]
 fn defaults_of_ports() {
     refused(
         "

@@ -6,6 +6,7 @@ use super::{Declaration, Entry, Name, NamedArgument};
 use crate::diagnostics::{Errors, did_you_mean, did_you_mean_kind, nearest};
 use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens as _;
 use syn::{Expr, Ident};
 
 /// The kind of an assembly put in place.
@@ -64,6 +65,16 @@ pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> 
                         format!("`{name}` is given twice; keep one"),
                     ));
                 }
+                if let Expr::Assign(other) = &*assign.right {
+                    let (left, value) = (&other.left, innermost(&other.right));
+                    let (left, value) = (left.to_token_stream(), value.to_token_stream());
+                    return Err(syn::Error::new_spanned(
+                        other,
+                        format!(
+                            "each argument has a value of its own: write `{name} = {value}, {left} = {value}`"
+                        ),
+                    ));
+                }
                 entry.named.push(NamedArgument {
                     name,
                     value: *assign.right,
@@ -80,6 +91,14 @@ pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> 
     }
     take_value(&mut entry);
     Ok(entry)
+}
+
+/// The value of `a = b = value`.
+fn innermost(value: &Expr) -> &Expr {
+    match value {
+        Expr::Assign(assign) => innermost(&assign.right),
+        value => value,
+    }
 }
 
 /// `Let(value = x)` is `Let(x)`, as `Output` and `Event` are.
