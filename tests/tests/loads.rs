@@ -231,6 +231,132 @@ fn bushings_have_force_and_torque_on_the_second_partner() {
     }
 }
 
+mechanism!(Pushed {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    rotor: Body(
+        mass = 1.5_kg,
+        inertia = 0.02_kg_m2,
+        at = [0.2_m, 0.1_m, 0.0],
+        orientation = turn(unit([1.0, 2.0, -1.0]), 0.9),
+        angular_velocity = [3.0_rad_per_s, -2.0_rad_per_s, 1.0_rad_per_s]
+    ),
+    screw: Wrench(
+        rotor.origin,
+        force = [2.0_N, 1.0_N * sin(3.0_rad_per_s * t), -0.5_N],
+        torque = [0.03_Nm, -0.02_Nm, 0.04_Nm * t / 1.0_s],
+        axes = rotor
+    ),
+    wind: Force(
+        rotor.origin,
+        value = [-1.0_N_s_per_m * rotor.origin.velocity.x, 0.3_N, 0.0_N]
+    ),
+    twist: Torque(rotor, value = [0.0_Nm, 0.01_Nm, 0.02_Nm]),
+
+    force: Output(
+        screw.force.x * rotor.x + screw.force.y * rotor.y + screw.force.z * rotor.z + wind.force
+    ),
+    torque: Output(
+        screw.torque.x * rotor.x
+            + screw.torque.y * rotor.y
+            + screw.torque.z * rotor.z
+            + twist.torque
+    ),
+    acceleration: Output(rotor.acceleration),
+    spin: Output(rotor.angular_acceleration),
+});
+
+/// The components of a wrench are along its `axes`.
+#[test]
+fn wrenches_have_force_and_torque() {
+    let settings = Settings::accuracy(1e-6);
+    let mut pushed = Simulation::with_settings(Pushed::default(), settings).unwrap();
+    for tick in 0..20 {
+        pushed.run_until(0.05 * f64::from(tick)).unwrap();
+        let now = pushed.outputs();
+        for k in 0..3 {
+            let weight = if k == 2 { 1.5 * 9.81 } else { 0.0 };
+            let error = now.force[k] - weight - 1.5 * now.acceleration[k];
+            assert!(error.abs() < 1e-9, "{tick}: force {k} is off by {error}");
+            let error = now.torque[k] - 0.02 * now.spin[k];
+            assert!(error.abs() < 1e-9, "{tick}: torque {k} is off by {error}");
+        }
+    }
+}
+
+mod sledges {
+    use mbs_runtime::{assembly, mechanism};
+
+    assembly!(Sledge {
+        world: Planar(),
+        start: Port(Number),
+        body: Body(
+            mass = 2.0_kg,
+            inertia = 0.1_kg_m2,
+            at = [0.6 * start, 0.8 * start]
+        ),
+        arm: Bar(
+            mass = 3.0_kg,
+            length = 1.0_m,
+            angle = 0.3,
+            rate = 2.0_rad_per_s
+        ),
+        guide: Prismatic(ground.origin, body.origin, axis = [0.6, 0.8]),
+        pin: Revolute(ground.origin, arm.a),
+        push: Force(guide, value = 4.0_N - 3.0_N_s_per_m * guide.speed),
+        motor: Torque(pin, value = 0.5_Nm - 0.1_N_m_s * pin.rate),
+        forces: Output(push.force),
+        torques: Output(motor.torque),
+    });
+
+    mechanism!(Train {
+        world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+        one: Assembly(Sledge, start = 0.1_m),
+        several: Each(0..3, |i| Assembly(Sledge, start = 0.1_m * (i + 1))),
+        bob: Each(0..2, |i| Particle(mass = 2.0_kg, at = [0.1_m, 0.2_m * i])),
+        pull: Each(0..2, |i| SpringDamper(
+            ground.point(0.0, 1.0_m),
+            bob[i],
+            stiffness = 5.0_N_per_m * (i + 1)
+        )),
+        wind: Each(0..2, |i| Force(bob[i], value = [1.0_N * (i + 1), 0.0])),
+
+        push: Output(one.push.force),
+        along: Output(rate(one.guide.speed)),
+        pushes: Output([several[1].push.force, several[2].push.force]),
+        speeds: Output([rate(several[1].guide.speed), rate(several[2].guide.speed)]),
+        torque: Output(several[2].motor.torque),
+        spin: Output(rate(several[2].arm.rate)),
+        level: Output(several[2].arm.b.x),
+        bobs: Each(0..2, |i| Output(
+            bob[i].acceleration.x - wind[i].force.x / 2.0_kg
+                + pull[i].force / 2.0_kg * bob[i].origin.x
+                    / norm(bob[i].origin - ground.point(0.0, 1.0_m))
+        )),
+    });
+}
+
+/// m a along each guide is the push and the weight, J α about each pin is the motor's torque and that of the weight.
+#[test]
+fn forces_on_joints_in_assemblies_and_families() {
+    let settings = Settings::accuracy(1e-7);
+    let mut train = Simulation::with_settings(sledges::Train::default(), settings).unwrap();
+    for tick in 0..20 {
+        train.run_until(0.05 * f64::from(tick)).unwrap();
+        let now = train.outputs();
+        let pushes = [now.push, now.pushes.x, now.pushes.y];
+        let along = [now.along, now.speeds.x, now.speeds.y];
+        for (push, along) in pushes.into_iter().zip(along) {
+            let error = push - 2.0 * 9.81 * 0.8 - 2.0 * along;
+            assert!(error.abs() < 1e-9, "{tick}: {push} N is off by {error}");
+        }
+        let error = now.torque - 3.0 * 9.81 * 0.5 * now.level - now.spin;
+        assert!(error.abs() < 1e-9, "{tick}: the torque is off by {error}");
+        for error in now.bobs {
+            assert!(error.abs() < 1e-9, "{tick}: {error} m/s²");
+        }
+    }
+}
+
 #[test]
 fn loads_that_are_not_there_are_named() {
     refused(
