@@ -1,4 +1,4 @@
-//! Numbers that are read by `serde`: NaN is `null` in JSON.
+//! Numbers that are read by `serde`: NaN is `null` in JSON, as is ±∞, which comes back as NaN.
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use std::fmt;

@@ -81,6 +81,9 @@ fn what_is_not_known_comes_back_from_a_file() {
     let text = serde_json::to_string(&frame).unwrap();
     let again: Frame = serde_json::from_str(&text).unwrap();
     assert_eq!(format!("{again:?}"), format!("{frame:?}"));
+    // Nor has it an infinity.
+    frame.outputs[0] = f64::INFINITY;
+    assert_eq!(serde_json::to_string(&frame).unwrap(), text);
     let mut sample = simulation.sample();
     sample.outputs[0] = f64::NAN;
     sample.holonomic_error = f64::NAN;

@@ -32,6 +32,9 @@ use crate::read_numbers::{list, number, points};
 use crate::{AnySimulation, Energy};
 
 /// One recorded instant of a run.
+///
+/// With the feature `serde` it can be written and read. JSON has no number that is not finite: there NaN and ±∞ are `null`, which is read as
+/// NaN. A table ([`csv`]) keeps them apart.
 #[derive(Debug, Clone, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Frame {
