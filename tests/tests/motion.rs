@@ -37,6 +37,7 @@ mod rolling;
 mod scopes;
 mod slopes;
 mod solved_rows;
+mod space_starts;
 mod spatial_scenes;
 mod special_values;
 mod starts_in_poses;

@@ -1,6 +1,7 @@
 //! The passes of stage 3.
 
 use super::balance::{self, Balance};
+use super::carried_start;
 use super::constant_mass::constant_mass;
 use super::forces::{Action, Potential};
 use super::generalized_forces::{Elements, ForceParts};
@@ -120,6 +121,8 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     if let (true, Some(pull)) = (constant_mass, pull) {
         start::move_guesses(&mut graph, &mass, &mut layout, pull);
     }
+    let masses = (&model, &inertia, &mass);
+    carried_start::move_guesses(&mut graph, &mut reduction, masses, &mut layout);
     let system = System {
         graph,
         size,

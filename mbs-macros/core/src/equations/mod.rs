@@ -5,6 +5,7 @@
 //! more.
 
 mod balance;
+mod carried_start;
 mod constant_mass;
 mod derive;
 mod forces;

@@ -20,12 +20,12 @@ impl Resolver<'_> {
 }
 
 /// The value with the defaults of all parameters; NaN if it depends on anything else.
-pub(super) fn by_default(graph: &Graph, parameters: &[Quantity], expr: Expr) -> f64 {
+pub(crate) fn by_default(graph: &Graph, parameters: &[Quantity], expr: Expr) -> f64 {
     at_parameters(graph, expr, |index| parameters[index].default)
 }
 
 /// Whether an expression of parameters is zero except for rounding, for all of their values.
-pub(super) fn vanishes(graph: &Graph, parameters: &[Quantity], expr: Expr, rounding: f64) -> bool {
+pub(crate) fn vanishes(graph: &Graph, parameters: &[Quantity], expr: Expr, rounding: f64) -> bool {
     let samples = [(1.0, 0.0), (1.1, 0.013), (0.8, 0.029)];
     samples.into_iter().all(|(factor, shift)| {
         let value = at_parameters(graph, expr, |index| {

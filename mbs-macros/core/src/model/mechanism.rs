@@ -50,6 +50,8 @@ pub struct Model {
     pub solved: Solved,
     /// Velocities of the parts that the tree carries.
     pub twists: Vec<BodyTwist>,
+    /// The guessed velocities of the local coordinates that the tree carries in space.
+    pub carried_velocities: Vec<(u32, Expr)>,
 }
 
 impl Model {

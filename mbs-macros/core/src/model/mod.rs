@@ -58,6 +58,7 @@ mod spanning;
 mod vacuous;
 
 pub use budget::budget;
+pub(crate) use defaults::{by_default, vanishes};
 pub use drawing::Drawing;
 pub use elements::kinds::kinds;
 pub use formulation::{Description, Formulation, requested};

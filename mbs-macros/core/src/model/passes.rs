@@ -87,6 +87,7 @@ pub fn resolve(
     // coordinate.
     let layout = layout::layout(resolver, &reduction, &guesses);
     debug_assert_eq!(layout.slots.len(), layout.velocities.len());
+    let carried_velocities = initial_pose::carried_velocities(resolver, &tree, &guesses);
 
     // AFTER THIS POINT: all errors of the declaration have been found.
     let drawing = resolver.drawing(&joints, &forces);
@@ -142,6 +143,7 @@ pub fn resolve(
         merged: reduction.merged,
         solved: reduction.solved,
         twists: reduction.twists,
+        carried_velocities,
     })
 }
 

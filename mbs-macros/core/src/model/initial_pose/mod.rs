@@ -12,6 +12,7 @@ use super::elements::JointEntry;
 use super::resolver::Resolver;
 use super::tree::Tree;
 use crate::schema::World;
+use crate::symbolic::Expr;
 
 pub(super) use guesses::Guesses;
 
@@ -25,4 +26,20 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry], tree: &Tre
         }
         World::Spatial => spatial::guesses(resolver, joints, tree),
     }
+}
+
+/// The guessed velocities of the local coordinates that the tree carries in space. (In the plane the guesses fulfil its joints.)
+pub(super) fn carried_velocities(
+    resolver: &mut Resolver,
+    tree: &Tree,
+    guesses: &Guesses,
+) -> Vec<(u32, Expr)> {
+    if resolver.world == World::Planar {
+        return Vec::new();
+    }
+    let parts = resolver.parts.iter().enumerate();
+    let locals = parts.flat_map(|(index, part)| tree.dropped(index, part));
+    let locals: Vec<u32> = locals.collect();
+    let velocity = |local| (local, guesses.velocity(local, &mut resolver.graph));
+    locals.into_iter().map(velocity).collect()
 }
