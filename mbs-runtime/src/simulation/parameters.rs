@@ -30,11 +30,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// # }
     /// ```
     ///
-    /// Positions and velocities stay what they are. Where the rows do not allow this, because a length has changed, the
-    /// mechanism follows at once, to the nearest pose and the nearest velocities, and the verdict says what has moved. The
-    /// energy that the mechanism gains counts as nonconservative work, so that its balance goes on. Inputs and the sums of
-    /// [`Simulation::report`] stay; methods with a memory ([`Method`](crate::Method)) begin
-    /// anew. It allocates.
+    /// Coordinates and their rates stay what they are, and positions and velocities of all points with them, if the places of the points
+    /// in their bodies stay. With another `center_of_mass` they do not where the coordinates of a body are those of its centre of
+    /// mass, as those of a free body: the centre of mass stays where it is, and the points of the body move by −R Δc. A body that a joint
+    /// carries in joint coordinates stays.
+    ///
+    /// Where the rows do not allow the positions and velocities, because a length has changed, the mechanism follows at once, to the
+    /// nearest pose and the nearest velocities, and the verdict says what has moved. The energy that the mechanism gains counts as
+    /// nonconservative work, so that its balance goes on. Inputs and the sums of [`Simulation::report`] stay; methods with a memory
+    /// ([`Method`](crate::Method)) begin anew. It allocates.
     ///
     /// # Errors
     /// Parameters that do not make a mechanism, [`SimulationError::NoPose`] where no pose satisfies the rows,
