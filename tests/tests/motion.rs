@@ -19,6 +19,7 @@ mod followers;
 mod friction;
 mod held_angles;
 mod independent_velocities;
+mod joint_angles;
 mod long_family;
 mod marks;
 mod measured_tables;

@@ -4,7 +4,7 @@ mod factors;
 
 use self::factors::Factors;
 use super::guess::check_start;
-use super::newton::{ASSEMBLED, MAX_ITERATIONS, is_closed};
+use super::newton::{ASSEMBLED, MAX_ITERATIONS, is_closed, unwind};
 use super::verdict::{judge, moved};
 use crate::alf3f::residual_of;
 use crate::contract::{constraint_rows, mass_rows};
@@ -39,6 +39,9 @@ pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         let rows = rows(system, t, &q, yardstick)?;
         let verdict = judge(system, rows, (&start.phi, scale), before, [guess, &q]);
         return Some(Err(SimulationError::Assembly(verdict)));
+    }
+    if is_closed(&start.phi, scale) && unwind(system, t, guess, &mut q, scale) {
+        start.evaluate(&q);
     }
     if !start.project(&mut v, scale, yardstick) {
         return None;

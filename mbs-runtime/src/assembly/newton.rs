@@ -11,6 +11,7 @@ use crate::linear::{DelassusFactor, accumulate, negative};
 use crate::memory::Box;
 use crate::row_scale::RowScale;
 use crate::singular::Thresholds;
+use core::f64::consts::TAU;
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it reduces the residual.
@@ -24,8 +25,52 @@ pub(super) fn is_closed<const R: usize>(phi: &SVector<f64, R>, scale: &RowScale<
     residual_of(phi, &scale.weights) <= of_assembly.min(1.0)
 }
 
-/// Newton's method from the guess, or where it does not close the rows, after they have been closed little by little.
+/// The pose that satisfies the rows, from the guess: its angles without full turns that no row asks for.
 pub(super) fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    t: f64,
+    geometry: &mut ConstraintGeometry<S, Q, N, R>,
+    q: &mut SVector<f64, Q>,
+    phi: &mut SVector<f64, R>,
+    scale: &RowScale<R>,
+) -> Result<(), Fault> {
+    let guess = *q;
+    approach(system, t, geometry, q, phi, scale)?;
+    if is_closed(phi, scale) && unwind(system, t, &guess, q, scale) {
+        geometry.evaluate(system, t, q, phi)?;
+    }
+    Ok(())
+}
+
+/// Takes back full turns by which angles differ from the guess, where the rows stay closed without them: they depend on these angles
+/// through sine and cosine. Whether there were any.
+pub(super) fn unwind<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    t: f64,
+    guess: &SVector<f64, Q>,
+    q: &mut SVector<f64, Q>,
+    scale: &RowScale<R>,
+) -> bool {
+    let mut changed = false;
+    for (slot, coordinate) in S::MODEL.coordinates.iter().enumerate().take(Q) {
+        let turns = ((q[slot] - guess[slot]) / TAU).round();
+        if coordinate.unit != "rad" || turns == 0.0 {
+            continue;
+        }
+        let mut trial = *q;
+        trial[slot] -= turns * TAU;
+        let mut phi = SVector::zeros();
+        system.holonomic(t, &trial, &mut phi);
+        if is_closed(&phi, scale) {
+            *q = trial;
+            changed = true;
+        }
+    }
+    changed
+}
+
+/// Newton's method from the guess, or where it does not close the rows, after they have been closed little by little.
+fn approach<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     t: f64,
     geometry: &mut ConstraintGeometry<S, Q, N, R>,

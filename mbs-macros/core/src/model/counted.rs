@@ -84,10 +84,9 @@ pub(super) fn replace(
                 return None;
             }
             let local = *joint.angles().first()?;
-            let sign = if joint.mobilizer.forwards { 1.0 } else { -1.0 };
-            Some((Symbol::LocalPosition(local), sign))
+            Some(Symbol::LocalPosition(local))
         });
-        let Some((local, sign)) = own else {
+        let Some(local) = own else {
             others.push(index);
             continue;
         };
@@ -95,7 +94,6 @@ pub(super) fn replace(
             Some(value) => value,
             None => graph.symbol(local),
         };
-        let angle = graph.scale(sign, angle);
         // What was counted last is the same, so that no turns are added.
         substitution.insert(Symbol::UnwrappedAngle(index as u32), angle);
         substitution.equate(unwrapped.within, angle);

@@ -127,10 +127,6 @@ impl Resolver<'_> {
                 Some(lead) => self.graph.mul(lead, coordinate),
                 None => coordinate,
             };
-            let value = match joint.mobilizer.forwards {
-                true => value,
-                false => self.graph.neg(value),
-            };
             substitution.equate(known.expr, value);
         }
     }

@@ -109,6 +109,12 @@ impl Walk<'_> {
         self.graph.substitute(local, self.substitution)
     }
 
+    /// A coordinate of a joint or its rates, as the motion of the child against the parent.
+    fn motion(&mut self, joint: &TreeJoint, symbol: Symbol) -> Expr {
+        let own = self.symbol(symbol);
+        self.graph.scale(joint.mobilizer.sign(), own)
+    }
+
     /// A part's centre with its velocity and acceleration, from its own locals.
     fn own_center(&mut self, part: &Part) -> (Vector, Rates) {
         let zero = self.graph.zero_vector();
@@ -199,7 +205,7 @@ impl Walk<'_> {
             slides = true;
             let direction = outer[axis];
             let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
-                let mut stroke = walk.symbol(symbol);
+                let mut stroke = walk.motion(joint, symbol);
                 if let Some(per_unit) = per_unit {
                     stroke = walk.graph.mul(per_unit, stroke);
                 }
@@ -281,7 +287,7 @@ impl Walk<'_> {
             slides = true;
             let direction = mobilizer.parent.local[axis];
             let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
-                let stroke = walk.symbol(symbol);
+                let stroke = walk.motion(joint, symbol);
                 let along = walk.graph.vector_scale(stroke, direction);
                 walk.graph.vector_add(before, along)
             };

@@ -68,8 +68,13 @@ impl Mobilizer {
         matches!(last, Some(Freedom::Rotation))
     }
 
-    /// The same joint with the partners exchanged: its coordinates change sign. The order of the turns is reversed;
-    /// slides stay before them, along the axes of the other partner.
+    /// The motions from the parent to the child per unit of the coordinates, which have the signs of the declaration.
+    pub fn sign(&self) -> f64 {
+        if self.forwards { 1.0 } else { -1.0 }
+    }
+
+    /// The same joint with the partners exchanged: its motions change sign, its coordinates do not ([`Self::sign`]). The order of the
+    /// turns is reversed; slides stay before them, along the axes of the other partner.
     pub(super) fn reversed(&self) -> Mobilizer {
         let mut freedoms = self.freedoms.clone();
         let first = freedoms.partition_point(|freedom| !freedom.turns());

@@ -286,7 +286,13 @@ impl Resolver<'_> {
         joint.coordinates = vec![None; freedoms.len()];
         let slides = freedoms.iter().filter(|freedom| !freedom.turns()).count();
         for turns in [true, false] {
-            let mut angles = ["angle", "second_angle", "third_angle"].into_iter();
+            let count = freedoms.iter().filter(|freedom| freedom.turns()).count();
+            let mut angles = ["angle", "second_angle", "third_angle"][..count.min(3)].to_vec();
+            if !joint.mobilizer.forwards {
+                // The turns have the reverse order, too.
+                angles.reverse();
+            }
+            let mut angles = angles.into_iter();
             for (freedom, coordinate) in freedoms.iter().zip(&mut joint.coordinates) {
                 if freedom.turns() != turns {
                     continue;

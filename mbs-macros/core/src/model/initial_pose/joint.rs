@@ -57,6 +57,11 @@ pub(super) fn joint_guess(
 ) {
     let [parent, child] = [&joint.mobilizer.parent, &joint.mobilizer.child]
         .map(|attachment| Side::new(resolver, parts, speeds, attachment));
+    let sign = joint.mobilizer.sign();
+    let mut set = |resolver: &mut Resolver, local, motion, rate| {
+        let [value, rate] = [motion, rate].map(|x| resolver.graph.scale(sign, x));
+        guesses.set(local, value, rate);
+    };
     let mut turns = joint.freedoms().filter(|(freedom, _)| freedom.turns());
     match (turns.next(), turns.next()) {
         (Some((_, first)), Some((Freedom::Turn(Some(between)), second))) => {
@@ -69,7 +74,7 @@ pub(super) fn joint_guess(
             let angles = two_angles(graph, &parent.axes, between, &child.axes);
             for ((local, angle), rate) in [first, second].into_iter().zip(angles).zip(rates) {
                 let angle = resolver.settled(angle);
-                guesses.set(local, angle, rate);
+                set(resolver, local, angle, rate);
             }
         }
         (Some((freedom, local)), _) => {
@@ -86,7 +91,7 @@ pub(super) fn joint_guess(
                 Freedom::Helix(lead) => helix_rate(resolver, *lead, rate, &parent, &child),
                 _ => rate,
             };
-            guesses.set(local, angle, rate);
+            set(resolver, local, angle, rate);
         }
         (None, _) => {}
     }
@@ -99,7 +104,7 @@ pub(super) fn joint_guess(
         let stroke = graph.dot(parent.axes[axis], gap);
         let speed = speed_along(graph, axis, gap, &parent, &child);
         let stroke = resolver.settled(stroke);
-        guesses.set(local, stroke, speed);
+        set(resolver, local, stroke, speed);
     }
 }
 

@@ -173,7 +173,11 @@ pub(super) fn strokes(resolver: &mut Resolver, tree: &Tree, guesses: &mut Guesse
                 };
                 known.insert(symbol, value);
             }
-            let [stroke, speed] = [stroke, speed].map(|x| graph.substitute(x, &mut known));
+            let sign = joint.mobilizer.sign();
+            let [stroke, speed] = [stroke, speed].map(|x| {
+                let motion = graph.substitute(x, &mut known);
+                graph.scale(sign, motion)
+            });
             guesses.set(local, stroke, speed);
         }
     }

@@ -67,12 +67,16 @@ impl Walk<'_> {
                 let part = &self.parts[joint.child];
                 aligned(self.graph, tree, joint, part, &inner)
             });
-            let mut angle = self.symbol(Symbol::LocalPosition(local));
+            let mut angle = self.motion(joint, Symbol::LocalPosition(local));
+            let rates = [
+                self.motion(joint, Symbol::LocalVelocity(local)),
+                self.motion(joint, Symbol::LocalAcceleration(local)),
+            ];
             if let Some((offset, turned)) = aligned.flatten() {
                 angle = self.graph.add(angle, offset);
                 fixed = turned;
             }
-            (axes, vectors) = self.turned(&name, (angle, local), axes, vectors);
+            (axes, vectors) = self.turned(&name, (angle, rates), axes, vectors);
         }
         if fixed.iter().any(|&axis| self.graph.numbers(axis).is_none()) {
             // Axes that depend on parameters have entries that no number folds with: those of the part are as short.
@@ -95,14 +99,10 @@ impl Walk<'_> {
     fn turned(
         &mut self,
         name: &str,
-        (angle, local): (Expr, u32),
+        (angle, [rate, second]): (Expr, [Expr; 2]),
         [x, y, z]: Axes,
         vectors: [Vector; 4],
     ) -> (Axes, [Vector; 4]) {
-        let [rate, second] = [
-            self.symbol(Symbol::LocalVelocity(local)),
-            self.symbol(Symbol::LocalAcceleration(local)),
-        ];
         let graph = &mut *self.graph;
         let (cos, sin) = (
             graph.function(Function::Cos, angle),
