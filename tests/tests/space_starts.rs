@@ -78,13 +78,6 @@ starts!(prismatic,
     velocity: Output(sleeve.velocity),
 );
 
-starts!(screw,
-    nut: Body(mass = 2.0_kg, inertia = diag(0.1, 0.2, 0.3), at = [0.5, 0.1, 0.2], velocity = [0.3, 2.0_m_per_s, -0.5]),
-    thread: Screw(ground, nut, at = [0.1, 0.0, 0.0], axis = [0.0, 0.3, 1.0], pitch = 0.4_m),
-    velocity: Output(nut.velocity),
-    spin: Output(nut.angular_velocity),
-);
-
 starts!(chain_with_the_last_one_moving,
     upper: Body(mass = 2.0_kg, inertia = diag(0.1, 0.2, 0.3), at = [0.5, 0.0, 0.2]),
     lower: Body(mass = 1.0_kg, inertia = diag(0.1, 0.1, 0.05), at = [1.0, 0.2, 0.0], orientation = turn([1.0, 2.0, 0.5], 0.7), velocity = [0.3, 2.0_m_per_s, -0.5]),

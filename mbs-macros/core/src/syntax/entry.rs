@@ -65,7 +65,10 @@ pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> 
                         format!("`{name}` is given twice; keep one"),
                     ));
                 }
-                if let Expr::Assign(other) = &*assign.right {
+                // Of the arguments of other kinds it is known which one has no value.
+                if entry.kind == ASSEMBLY
+                    && let Expr::Assign(other) = &*assign.right
+                {
                     let (left, value) = (&other.left, innermost(&other.right));
                     let (left, value) = (left.to_token_stream(), value.to_token_stream());
                     return Err(syn::Error::new_spanned(

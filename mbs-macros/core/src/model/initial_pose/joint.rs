@@ -116,6 +116,15 @@ fn speed_along(graph: &mut Graph, axis: usize, gap: Vector, parent: &Side, child
     graph.dot(parent.axes[axis], relative)
 }
 
+/// Whether a helix turns as fast as the child slides, because no angular velocity was declared.
+pub(super) fn turns_as_it_slides(parts: &[Part], joint: &TreeJoint) -> bool {
+    let mut freedoms = joint.mobilizer.freedoms.iter();
+    let partners = [joint.parent, Some(joint.child)];
+    let mut spins = partners.into_iter().flatten();
+    freedoms.any(|freedom| matches!(freedom, Freedom::Helix(_)))
+        && spins.all(|part| parts[part].guess.spin.is_none())
+}
+
 /// The rate of a helix: that of the declared angular velocities; without any, as fast as the child slides.
 fn helix_rate(
     resolver: &mut Resolver,

@@ -28,7 +28,8 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry], tree: &Tre
     }
 }
 
-/// The guessed velocities of the local coordinates that the tree carries in space. (In the plane the guesses fulfil its joints.)
+/// The guessed velocities of the local coordinates that the tree carries in space, but those of parts whose screws turn as they slide.
+/// (In the plane the guesses fulfil the joints.)
 pub(super) fn carried_velocities(
     resolver: &mut Resolver,
     tree: &Tree,
@@ -37,7 +38,12 @@ pub(super) fn carried_velocities(
     if resolver.world == World::Planar {
         return Vec::new();
     }
+    let slides = |part| {
+        let carrier = tree.carrier(part);
+        carrier.is_some_and(|joint| joint::turns_as_it_slides(&resolver.parts, joint))
+    };
     let parts = resolver.parts.iter().enumerate();
+    let parts = parts.filter(|(index, _)| !slides(*index));
     let locals = parts.flat_map(|(index, part)| tree.dropped(index, part));
     let locals: Vec<u32> = locals.collect();
     let velocity = |local| (local, guesses.velocity(local, &mut resolver.graph));
