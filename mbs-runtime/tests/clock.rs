@@ -309,3 +309,37 @@ fn a_drive_sets_out_next_to_the_clock() {
         assert!((cart.outputs().swing + 1.88444).abs() < 1e-5);
     }
 }
+
+mechanism!(Thrown {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    ball: Particle(
+        mass = 0.2_kg,
+        at = [0.0_m, 0.0_m],
+        velocity = [0.0_m_per_s, 4.905]
+    ),
+    touch: Event(ball.origin.y),
+});
+
+/// A step from exactly 0 that is as long as the flight was skipped, as one that leaves 0.
+#[test]
+fn an_event_that_begins_at_0_is_found_in_a_long_step() {
+    for accuracy in [1e-1, 1e-3, 1e-6, 1e-9] {
+        let thrown = Simulation::with_accuracy(Thrown::default(), accuracy);
+        let mut thrown = thrown.expect("it assembles");
+        let found = thrown.run_to_event("touch", 10.0).expect("it runs");
+        let time = found.expect("it falls");
+        assert!((time - 1.0).abs() < 1e-9, "{accuracy}: {time}");
+        assert_eq!(thrown.run_to_event("touch", 3.0).expect("it runs"), None);
+    }
+    for step in [0.01, 0.3, 1.3] {
+        let settings = Settings {
+            step,
+            ..Settings::default()
+        };
+        let thrown = Simulation::with_settings(Thrown::default(), settings);
+        let mut thrown = thrown.expect("it assembles");
+        let found = thrown.run_to_event("touch", 10.0).expect("it runs");
+        let time = found.expect("it falls");
+        assert!((time - 1.0).abs() < 1e-9, "{step}: {time}");
+    }
+}

@@ -12,6 +12,10 @@ use nalgebra::SVector;
 /// A remainder below this fraction of a given step, and of the run, is no step: the next one makes up for it. It is larger than the
 /// rounding error of a sum of 1e8 steps.
 const SLIVER: f64 = 1e-6;
+/// The part of a step after which an event that was 0 at its beginning has the sign with which it leaves, and the part of its
+/// value at the end below which it has none.
+const JUST_LEFT: f64 = 1.0 / 1024.0;
+const OF_ROUND_OFF: f64 = 1e-12;
 /// Bisections on the cubic of a step: its own error is larger than what they leave.
 const BISECTIONS: usize = 40;
 /// The factor by which a correction of the predicted instant is enlarged.
@@ -160,6 +164,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.forward(h, self.left(latest))?;
             self.land(end)?;
             let after = self.event(index)?;
+            if before == 0.0 && after != 0.0 {
+                before = self.left_zero(index, after);
+            }
             if before != 0.0 && (after == 0.0 || !has_sign_of(before, after)) {
                 self.locate(index, books, before, after)?;
                 // The end of the step, where it led to, is no longer ahead.
@@ -169,6 +176,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             before = after;
         }
         Ok(None)
+    }
+
+    /// The value just after the beginning of the last step, where it was 0; 0 if it may be round-off.
+    fn left_zero(&mut self, index: usize, after: f64) -> f64 {
+        let cubic = Hermite::new(self.system(), &self.last_step_start, self.state());
+        let (t, q, v) = cubic.at(self.system(), JUST_LEFT);
+        let value = self.event_at(index, t, &q, &v);
+        match value.abs() > OF_ROUND_OFF * after.abs() {
+            true => value,
+            false => 0.0,
+        }
     }
 
     /// Steps again from the beginning of the last step, with shorter ones, until the sign change is bracketed to
