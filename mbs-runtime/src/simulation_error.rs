@@ -331,7 +331,9 @@ impl fmt::Display for SimulationError {
             ),
             Time { now, wanted } => write!(
                 out,
-                "cannot run to t = {wanted} s from t = {now} s; give a finite time that is not in the past"
+                "cannot run to t = {} s from t = {} s; give a finite time that is not in the past",
+                Whole(*wanted),
+                Whole(*now)
             ),
             #[cfg(feature = "std")]
             Assembly(verdict) => start::write_assembly(out, verdict),

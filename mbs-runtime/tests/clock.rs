@@ -343,3 +343,18 @@ fn an_event_that_begins_at_0_is_found_in_a_long_step() {
         assert!((time - 1.0).abs() < 1e-9, "{step}: {time}");
     }
 }
+
+/// The search ended at a millionth of a millionth of the time, which is a step at the time of a Unix clock.
+#[test]
+fn events_at_large_times_are_found_to_the_round_off_of_the_clock() {
+    let begin = Simulation::new(Thrown::default()).expect("it assembles");
+    for start in [1e8, 1.7e9, 5e9] {
+        let mut state = begin.state().clone();
+        state.time = start;
+        let thrown = Simulation::resume(Thrown::default(), Settings::default(), state);
+        let mut thrown = thrown.expect("the state");
+        let found = thrown.run_to_event("touch", start + 2.0).expect("it runs");
+        let late = found.expect("it falls") - start - 1.0;
+        assert!(late.abs() <= 8.0 * f64::EPSILON * start, "{start}: {late}");
+    }
+}

@@ -201,7 +201,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let h = self.time() - self.last_step_start.time;
         let (mut low, mut high) = (0.0, h);
         let (mut f_low, mut f_high) = (before, after);
-        let resolution = 1e-12 * self.last_step_start.time.abs().max(h);
+        let resolution = rounding(self.last_step_start.time).max(1e-12 * h);
         let mut guess = Some(self.event_on_cubic(index, before));
         let mut current = h;
         let (mut last, mut probed) = (None, false);
