@@ -397,7 +397,7 @@ impl fmt::Display for SimulationError {
             } => step::write_loss(out, (*time, *step), [*lost, *available], *adaptive),
             Mass { time } => write!(
                 out,
-                "the mass matrix is not positive definite at t = {} s: something moves without mass there; use a smaller step, or give every part that moves mass and inertia",
+                "the mass matrix is not positive definite at t = {} s: something moves without mass there; use a smaller step, or give mass and inertia to every part that moves",
                 clock(*time)
             ),
             StepUnderflow { time, step, row } => write!(

@@ -74,7 +74,7 @@ pub fn measured(data: &Data) -> Result<String, String> {
     Ok(paragraph(&format!(
         "Each of the {own} scenes with rows was run with {RUNS} values of h, from half to 1.25 times that of the table. The largest |φ|: \
          {}. The largest |A v + b|: {}. A step that is far shorter than h, such as the last one of a run, satisfies nonholonomic rows less \
-         closely: up to the velocity that changes positions by their round-off within this step. A step of second order that ends \
+         closely: their residual may be as large as a velocity that moves positions by their round-off within this step. A step of second order that ends \
          beside a singular pose leaves out a row with a pivot below 1e-9.",
         sentence("holonomic_error")?,
         sentence("velocity_error")?,

@@ -112,7 +112,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         let ways = self.ways(Level::Velocity, geometry, (q, v));
         let unscaled = vec![1.0; self.count(Level::Velocity)];
         let fastest = self.fastest(q, v);
-        // The speed of a small square is much larger than this.
+        // A held square v² that is small asks for the speed √(v²), far above the fastest.
         let root = fastest.sqrt();
         let sizes = [ASIDE * fastest, ASIDE * root, root];
         let sizes = (fastest, &sizes[..if root > fastest { 3 } else { 1 }]);

@@ -13,7 +13,8 @@ use nalgebra::SVector;
 
 /// The step aside, in lengths of the mechanism and radians; of velocities as a part of those that are held.
 pub(super) const ASIDE: f64 = 1e-3;
-/// The same for values that hardly change by that, as a fourth power. Farther ones would close rows less exactly.
+/// A longer one, for values that hardly change by the first, as a fourth power. With a still longer one rows would be closed less
+/// exactly.
 pub(super) const FARTHER_ASIDE: f64 = 3e-2;
 /// A derivative along free directions that is below this part of the whole one, or of 1, may be round-off.
 const FLAT: f64 = 1e-6;
@@ -194,8 +195,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         }
     }
 
-    /// Independent directions that the rows leave free and along which values of these gradients stay, a length of the mechanism, a
-    /// radian or a unit of a state long: the velocities in their order, each in positive sense and projected in the metric of M.
+    /// Independent directions that the rows leave free, and along which the values with these gradients stay. Each is a length of the
+    /// mechanism, a radian or a unit of a state long. They are the velocities in their order, each in positive sense and projected in
+    /// the metric of M.
     fn free_ways(
         &self,
         level: Level,

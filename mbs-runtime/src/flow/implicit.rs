@@ -173,7 +173,8 @@ impl<const N: usize> Implicit<N> {
         self.factor::<S, Q, R>(va, vb, None)
     }
 
-    /// The same with the force at v₁, of which ∂v₁/∂v_b = P.
+    /// The same with the force at v₁, of which ∂v₁/∂v_b = P. (p_q is that at v₁, and ∂v₁/∂q₁ is left out: the iteration corrects
+    /// both.)
     pub(crate) fn refresh_on_rows<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,

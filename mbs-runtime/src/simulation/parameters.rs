@@ -30,10 +30,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// # }
     /// ```
     ///
-    /// Coordinates and their rates stay what they are, and positions and velocities of all points with them, if the places of the points
-    /// in their bodies stay. With another `center_of_mass` they do not where the coordinates of a body are those of its centre of
-    /// mass, as those of a free body: the centre of mass stays where it is, and the points of the body move by −R Δc. A body that a joint
-    /// carries in joint coordinates stays.
+    /// Coordinates and their rates stay what they are. So all points keep their positions and velocities, if their places in the bodies
+    /// stay, with one exception: the coordinates of a body are those of its centre of mass, unless a joint carries it in joint
+    /// coordinates. With another `center_of_mass` the centre stays where it is, and the points of such a body move by −R Δc.
     ///
     /// Where the rows do not allow the positions and velocities, because a length has changed, the mechanism follows at once, to the
     /// nearest pose and the nearest velocities, and the verdict says what has moved. The energy that the mechanism gains counts as

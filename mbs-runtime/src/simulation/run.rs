@@ -14,7 +14,7 @@ use nalgebra::SVector;
 const SLIVER: f64 = 1e-6;
 /// The part of a step after which an event that was 0 at its beginning has the sign with which it leaves, and the part of its
 /// value at the end below which it has none.
-const JUST_LEFT: f64 = 1.0 / 1024.0;
+const JUST_LEFT: f64 = 1.0 / 64.0;
 const OF_ROUND_OFF: f64 = 1e-12;
 /// Bisections on the cubic of a step: its own error is larger than what they leave.
 const BISECTIONS: usize = 40;
@@ -165,7 +165,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.land(end)?;
             let after = self.event(index)?;
             if before == 0.0 && after != 0.0 {
-                before = self.left_zero(index, after);
+                before = self.left_zero(index, after)?;
             }
             if before != 0.0 && (after == 0.0 || !has_sign_of(before, after)) {
                 self.locate(index, books, before, after)?;
@@ -179,14 +179,24 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The value just after the beginning of the last step, where it was 0; 0 if it may be round-off.
-    fn left_zero(&mut self, index: usize, after: f64) -> f64 {
-        let cubic = Hermite::new(self.system(), &self.last_step_start, self.state());
-        let (t, q, v) = cubic.at(self.system(), JUST_LEFT);
-        let value = self.event_at(index, t, &q, &v);
-        match value.abs() > OF_ROUND_OFF * after.abs() {
+    fn left_zero(&mut self, index: usize, after: f64) -> Result<f64, SimulationError> {
+        let known = |value: f64| match value.abs() > OF_ROUND_OFF * after.abs() {
             true => value,
             false => 0.0,
+        };
+        let cubic = Hermite::new(self.system(), &self.last_step_start, self.state());
+        let (t, q, v) = cubic.at(self.system(), JUST_LEFT);
+        let value = known(self.event_at(index, t, &q, &v));
+        if value == 0.0 || has_sign_of(value, after) {
+            return Ok(value);
         }
+        // The cubic leaves 0 with the other sign where the motion does as the fourth power of time: a step decides.
+        let (mut q, mut v) = (q, v);
+        self.look_at(t, &mut |then| {
+            q.copy_from_slice(&then.coordinates());
+            v.copy_from_slice(&then.velocities());
+        })?;
+        Ok(known(self.event_at(index, t, &q, &v)))
     }
 
     /// Steps again from the beginning of the last step, with shorter ones, until the sign change is bracketed to

@@ -32,6 +32,8 @@ pub(super) fn move_guesses(
         let Some(&(_, gap)) = gaps.iter().find(|(local, _)| *local == k) else {
             continue;
         };
+        let mass = graph.substitute(mass, reduction);
+        let mass = graph.substitute(mass, &mut at_guess);
         for (j, slope) in slopes(graph, reduction, i) {
             let slope = graph.substitute(slope, &mut at_guess);
             pull[j].push(graph.product(&[(mass, 1), (slope, 1), (gap, 1)]));

@@ -68,13 +68,15 @@ impl Mobilizer {
         matches!(last, Some(Freedom::Rotation))
     }
 
-    /// The motions from the parent to the child per unit of the coordinates, which have the signs of the declaration.
+    /// 1, or −1 in a joint that the tree takes backwards: the motion of the child against the parent is this times the coordinate,
+    /// which has the sign of the declaration.
     pub fn sign(&self) -> f64 {
         if self.forwards { 1.0 } else { -1.0 }
     }
 
     /// The same joint with the partners exchanged: its motions change sign, its coordinates do not ([`Self::sign`]). The order of the
-    /// turns is reversed; slides stay before them, along the axes of the other partner.
+    /// turns is reversed; slides stay before them, along the axes of the other partner: the strokes of a `Planar` joint are along those
+    /// of the partner that was declared second.
     pub(super) fn reversed(&self) -> Mobilizer {
         let mut freedoms = self.freedoms.clone();
         let first = freedoms.partition_point(|freedom| !freedom.turns());

@@ -117,12 +117,15 @@ fn speed_along(graph: &mut Graph, axis: usize, gap: Vector, parent: &Side, child
 }
 
 /// Whether a helix turns as fast as the child slides, because no angular velocity was declared.
-pub(super) fn turns_as_it_slides(parts: &[Part], joint: &TreeJoint) -> bool {
+pub(super) fn turns_as_it_slides(resolver: &Resolver, joint: &TreeJoint) -> bool {
     let mut freedoms = joint.mobilizer.freedoms.iter();
     let partners = [joint.parent, Some(joint.child)];
     let mut spins = partners.into_iter().flatten();
-    freedoms.any(|freedom| matches!(freedom, Freedom::Helix(_)))
-        && spins.all(|part| parts[part].guess.spin.is_none())
+    let is_helix = |freedom: &Freedom| match freedom {
+        Freedom::Helix(lead) => resolver.by_default(*lead) != 0.0,
+        _ => false,
+    };
+    freedoms.any(is_helix) && spins.all(|part| resolver.parts[part].guess.spin.is_none())
 }
 
 /// The rate of a helix: that of the declared angular velocities; without any, as fast as the child slides.

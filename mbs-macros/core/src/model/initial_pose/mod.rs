@@ -40,7 +40,7 @@ pub(super) fn carried_velocities(
     }
     let slides = |part| {
         let carrier = tree.carrier(part);
-        carrier.is_some_and(|joint| joint::turns_as_it_slides(&resolver.parts, joint))
+        carrier.is_some_and(|joint| joint::turns_as_it_slides(resolver, joint))
     };
     let parts = resolver.parts.iter().enumerate();
     let parts = parts.filter(|(index, _)| !slides(*index));

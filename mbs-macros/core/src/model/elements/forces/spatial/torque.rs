@@ -27,7 +27,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
         if arguments.is_particle(owner) {
             return arguments.fail(
                 field,
-                format!("`{name}` is a particle: a torque cannot turn it; use a `Body` or a `Bar`"),
+                format!("`{name}` is a particle: a torque cannot turn it; use a `Body`, or a `Bar` with `radius =`"),
             );
         }
         if field != "axes" && arguments.is_slender(owner) {
