@@ -314,7 +314,6 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             turn: vector(|k| moved[k] + of * change[k]),
             change,
             way: stages[2].turn,
-            gained: stages[2].v - state.velocities,
             works: [0.0; 2],
         };
         if S::STRUCTURE.rheonomic {
@@ -459,8 +458,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
 
     fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<Estimate> {
         let errors = self.errors.as_ref()?;
-        let end = &self.stages[2].v;
-        Some(errors.estimate(self.length.abs(), (yardstick, S::STATES), end))
+        Some(errors.estimate(self.length.abs(), yardstick))
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {

@@ -209,11 +209,6 @@ impl StepController {
         }
     }
 
-    /// The length is looked for, as at the beginning.
-    pub(super) fn find_again(&mut self) {
-        (self.searching, self.raised, self.patience) = (true, false, PATIENCE[0]);
-    }
-
     /// The step is right, for now.
     fn settle(&mut self) {
         self.quiet = 0;
