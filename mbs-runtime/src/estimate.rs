@@ -10,6 +10,9 @@ pub(crate) struct Estimate {
     /// Whether the terms of higher order are not small beside those of lower order: a force jumps or bends in the step, or the
     /// step is too long.
     pub(crate) is_rough: bool,
+    /// Of states, relative to their sizes, by the embedded formula, and raised to the order of the step; zero by methods that see
+    /// the beginning of a step in their results.
+    pub(crate) of_states: [f64; 2],
 }
 
 impl Estimate {
@@ -19,6 +22,7 @@ impl Estimate {
             error,
             work,
             is_rough: false,
+            of_states: [0.0; 2],
         }
     }
 
@@ -28,6 +32,7 @@ impl Estimate {
             error: self.error + other.error,
             work: self.work + other.work,
             is_rough: self.is_rough || other.is_rough,
+            of_states: [0, 1].map(|of| self.of_states[of] + other.of_states[of]),
         }
     }
 }

@@ -349,7 +349,8 @@ pub struct StepController {
     pub estimate_factor: f64,
     /// Pairs since the last comparison.
     pub pairs_since_comparison: u32,
-    /// log₂ of what the error ratio of the last pair, or of its last step, by an embedded method would be with steps of a second.
+    /// log₂ of what the error ratio of the last pair, or of its last step, by an embedded method would be with steps of a second. With
+    /// states the largest of the last pairs, of states, by comparison.
     #[cfg_attr(feature = "serde", serde(default))]
     pub difficulty: Option<f64>,
     /// The same of the last pair of the chosen length by the estimate alone, without its factor.

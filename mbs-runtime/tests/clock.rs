@@ -358,3 +358,33 @@ fn events_at_large_times_are_found_to_the_round_off_of_the_clock() {
         assert!(late.abs() <= 8.0 * f64::EPSILON * start, "{start}: {late}");
     }
 }
+
+mechanism!(SlowStart {
+    world: Planar(),
+    ball: Particle(mass = 1.0_kg, at = [0.0_m, 0.0_m]),
+    push: Force(on = ball.origin, value = [1.0_N_per_s * t * t / 1.0_s, 0.0]),
+    sets_out: Event(ball.origin.x),
+});
+
+/// The cubic of a step leaves 0 with the wrong sign where the motion does as t⁴.
+#[test]
+fn what_leaves_0_slowly_is_no_event() {
+    for accuracy in [1e-1, 1e-3, 1e-6, 1e-9] {
+        let pushed = Simulation::with_accuracy(SlowStart::default(), accuracy);
+        let mut pushed = pushed.expect("it assembles");
+        let found = pushed.run_to_event("sets_out", 3.0).expect("it runs");
+        assert_eq!(found, None, "{accuracy}");
+        assert!((pushed.positions()[0] - 81.0 / 12.0).abs() < accuracy.max(1e-8) * 10.0);
+    }
+    for (order, step) in [(2, 0.1), (4, 0.5), (8, 1.0)] {
+        let settings = Settings {
+            order,
+            step,
+            ..Settings::default()
+        };
+        let pushed = Simulation::with_settings(SlowStart::default(), settings);
+        let mut pushed = pushed.expect("it assembles");
+        let found = pushed.run_to_event("sets_out", 3.0).expect("it runs");
+        assert_eq!(found, None, "{order}");
+    }
+}

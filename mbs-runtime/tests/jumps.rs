@@ -22,6 +22,20 @@ macro_rules! pushed {
 pushed!(Pushed,);
 pushed!(Followed, z: State(initial = 0.0_m, rate = x.rate - z / 1.0_s, scale = 1.0_m),);
 
+pushed!(
+    Counted,
+    turn: Param(1.0_s),
+    count: State(initial = 0.0, rate = 1.0_per_s + 1.0_per_s * step(t - turn)),
+    lag: State(initial = 1.0, rate = (2.0 - 3.0 * step(t - turn) - lag) / 0.3_s),
+);
+
+mechanism!(Waiting {
+    world: Planar(),
+    turn: Param(1.0_s),
+    block: Particle(mass = 1.0_kg, free = true),
+    count: State(initial = 0.0, rate = 1.0_per_s * step(t - turn)),
+});
+
 /// Where the jump lies before the first stages of both the pair and the other steps, these agree. Errors were up to 6600 accuracies
 /// beside a state, and 1.5 without it.
 #[test]
@@ -109,6 +123,63 @@ fn velocities_after_a_jump_are_as_exact_as_asked() {
             let exact = 3.0 + 0.5 * size * (3.0 - on).powi(2);
             let error = (simulation.outputs().place - exact).abs() / accuracy;
             assert!(error < 5.0, "{method:?} {order}, {size}, {on}: {error}");
+        }
+    }
+}
+
+/// An error over a jump of the rate of a state was taken for the part of the difference that it is in smooth motion, and had to be
+/// smaller in shorter pairs: in most cases no step was short enough.
+#[test]
+fn rates_of_states_jump() {
+    let methods = [
+        (Method::Projected, 8),
+        (Method::Radau, 2),
+        (Method::TwoLevel, 4),
+        (Method::TwoLevel, 6),
+        (Method::TwoLevel, 8),
+    ];
+    for ((method, order), accuracy) in methods
+        .into_iter()
+        .flat_map(|method| [1e-3, 1e-6].map(|accuracy| (method, accuracy)))
+    {
+        let settings = Settings {
+            method,
+            order,
+            tolerance: Some(0.2 * accuracy),
+            ..Settings::default()
+        };
+        for k in [0, 4, 9] {
+            let turn = 0.1321 + 0.2713 * f64::from(k);
+            let what = format!("{method:?} {order}, {accuracy:e}, {turn}");
+            let counted = Counted {
+                turn,
+                size: 0.0,
+                ..Counted::default()
+            };
+            let mut simulation =
+                Simulation::with_methods(counted, settings, methods::Accuracy).unwrap();
+            let outcome = simulation.run_until(3.0);
+            assert!(outcome.is_ok(), "{what}: {outcome:?}");
+            let since = 3.0 - turn;
+            let before = 2.0 - (-turn / 0.3).exp();
+            let exact = [3.0 + since, (before + 1.0) * (-since / 0.3).exp() - 1.0];
+            let [count, lag] = ["count", "lag"].map(|state| simulation.state_value(state).unwrap());
+            let errors = [count - exact[0], lag - exact[1]].map(|error| error.abs() / accuracy);
+            assert!(
+                errors.iter().all(|error| *error < 10.0),
+                "{what}: {errors:?}"
+            );
+
+            if method == Method::Radau {
+                continue;
+            }
+            let waiting = Waiting { turn };
+            let mut simulation =
+                Simulation::with_methods(waiting, settings, methods::Accuracy).unwrap();
+            let outcome = simulation.run_until(3.0);
+            assert!(outcome.is_ok(), "{what}: {outcome:?}");
+            let error = (simulation.state_value("count").unwrap() - since).abs() / accuracy;
+            assert!(error < 10.0, "{what}: {error}");
         }
     }
 }

@@ -314,6 +314,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             turn: vector(|k| moved[k] + of * change[k]),
             change,
             way: stages[2].turn,
+            gained: stages[2].v - state.velocities,
             works: [0.0; 2],
         };
         if S::STRUCTURE.rheonomic {
@@ -458,7 +459,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
 
     fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<Estimate> {
         let errors = self.errors.as_ref()?;
-        Some(errors.estimate(self.length.abs(), yardstick))
+        let end = &self.stages[2].v;
+        Some(errors.estimate(self.length.abs(), (yardstick, S::STATES), end))
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {

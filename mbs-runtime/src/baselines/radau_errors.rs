@@ -1,7 +1,9 @@
 //! The error of a step of Radau IIA by its embedded formula (Hairer, Wanner: Solving Ordinary Differential Equations II, IV.8 (8.19)).
 
+use crate::ScalarState;
 use crate::estimate::Estimate;
 use crate::linear::zeros;
+use crate::scalar_state::relative;
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
@@ -16,6 +18,8 @@ pub(super) struct Errors<const N: usize> {
     pub(super) change: SVector<f64, N>,
     /// θ.
     pub(super) way: SVector<f64, N>,
+    /// The change of v.
+    pub(super) gained: SVector<f64, N>,
     /// The work of forces without potential by the embedded formula less that of the step, and that of the step, J; 0 without rows
     /// of time.
     pub(super) works: [f64; 2],
@@ -28,12 +32,19 @@ impl<const N: usize> Errors<N> {
             turn: zeros(),
             change: zeros(),
             way: zeros(),
+            gained: zeros(),
             works: [0.0; 2],
         }
     }
 
     /// Of a step of h. The formula has the order 3. A power of what it gives, as a part of the way, has the order of the step.
-    pub(super) fn estimate<const Q: usize>(&self, h: f64, yardstick: &Yardstick<Q, N>) -> Estimate {
+    /// `end`: v at the end of the step.
+    pub(super) fn estimate<const Q: usize>(
+        &self,
+        h: f64,
+        (yardstick, states): (&Yardstick<Q, N>, &[ScalarState]),
+        end: &SVector<f64, N>,
+    ) -> Estimate {
         let error = yardstick
             .measure(&self.turn)
             .max(h * yardstick.measure(&self.change));
@@ -43,6 +54,11 @@ impl<const N: usize> Errors<N> {
         };
         let [off, work] = self.works;
         let error = of_order(error, yardstick.measure(&self.way));
-        Estimate::smooth(error, of_order(off, work))
+        let [own, gained] =
+            [&self.change, &self.gained].map(|change| relative(states, change, end));
+        Estimate {
+            of_states: [own, of_order(own, gained)],
+            ..Estimate::smooth(error, of_order(off, work))
+        }
     }
 }

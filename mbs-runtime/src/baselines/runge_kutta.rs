@@ -248,6 +248,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             // At rest 0/0 is not a number.
             work: if power > 0.0 { h * power } else { 0.0 },
             is_rough: fifth > ROUGH * third,
+            of_states: [0.0; 2],
         })
     }
 

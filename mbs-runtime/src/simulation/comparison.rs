@@ -4,6 +4,7 @@ use super::Simulation;
 use super::jumps::{Previous, Signs, UNUSUAL, over_a_jump};
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
+use super::state_errors::{Pair, Seen, error_of};
 use super::step_controller::{Pace, TOO_LONG};
 use super::tolerance::{CLOCK, SHORTEST};
 use crate::linear::vector;
@@ -13,7 +14,7 @@ use crate::{Energy, ErrorOf, SimulationError, StepController, System};
 use nalgebra::SVector;
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
-const SHARE: f64 = 0.02;
+pub(super) const SHARE: f64 = 0.02;
 /// A difference above this fraction of the motion is too large for an error estimate by the order.
 const UNLIKE: f64 = 0.3;
 /// The steps with which a pair is compared: one of its whole length, otherwise two unequal ones, divided at these
@@ -77,6 +78,8 @@ pub(super) struct Found {
     pub(super) is_apart: bool,
     /// Whether its steps are so long that a mechanism can be at rest with them.
     pub(super) is_paced: bool,
+    /// What the comparison shows of states.
+    pub(super) of_states: Option<Seen>,
     /// The error of the energy balance after the first step, J.
     pub(super) imbalance: f64,
     /// The error of the work of forces without potential, J, in driven mechanisms.
@@ -102,6 +105,7 @@ impl Found {
             is_jump: false,
             is_apart: false,
             is_paced: true,
+            of_states: None,
             imbalance: balance.error,
             work_error: 0.0,
             passage: Passage {
@@ -121,10 +125,9 @@ struct Bounds {
     noise: f64,
     /// The error of this that is allowed.
     allowed: f64,
-    /// The same two of positions.
-    of_positions: [f64; 2],
-    /// The part of a way that is allowed.
-    share: f64,
+    /// The same of positions.
+    of_positions: f64,
+    states: Pair,
     /// What shows a jump, where there can be one.
     signs: Option<Signs>,
 }
@@ -139,7 +142,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (h, left): (f64, f64),
         (reach, indulgence): (f64, f64),
         (controller, previous, start): (&StepController, Previous, RankMargin),
-        last: bool,
+        (shortest, last): (f64, bool),
     ) -> Result<Found, SimulationError> {
         let rejected_before = self.rejected;
         let first = self.guarded_step(h, left)?;
@@ -226,8 +229,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             way,
             noise: carried,
             allowed,
-            of_positions: [noise, of_positions],
-            share: SHARE * tolerance,
+            of_positions,
+            states: Pair {
+                steps: found.passage.steps,
+                share: SHARE * tolerance,
+                way,
+                noise,
+                estimates: of_pair.map_or([0.0; 2], |pair| pair.of_states),
+                is_shortest: h <= 2.0 * shortest,
+            },
             signs,
         };
         let outcome = self.measure(&mut found, controller, &bounds, (estimate, last));
@@ -283,8 +293,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         // As if the motion were as difficult in all steps: where the steps of the pair differ because it is not, the error is
         // overestimated. (An estimate of the difficulties gave no better steps.) Relative to the length: powers of a short step
         // vanish.
-        let power = |h: f64| (h / length).powi(order + 1);
-        let error = |steps: [f64; 2]| steps.into_iter().map(power).sum::<f64>();
+        let error = |steps| error_of(steps, length, order);
         // At rest the motion, too, is noise; a force that jumps all the time is noise only to steps as short as these.
         let is_next_to_clock = controller.step < NEAR_CLOCK * CLOCK * self.pair_start.time.abs();
         let still = match found.is_paced {
@@ -309,9 +318,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             };
             converged = true;
-            let [noise, allowed] = bounds.of_positions;
             // Where nothing is allowed 0/0 is not a number, of which `min` makes 1.
-            let weight = (bounds.allowed / allowed).min(1.0);
+            let weight = (bounds.allowed / bounds.of_positions).min(1.0);
             let (apart, mut worst) = self.apart(0.5 * length, weight);
             found.is_apart = apart > UNLIKE * bounds.way;
             if const { Self::DRIVEN } {
@@ -324,20 +332,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 (true, false) => apart / (ratio * bounds.allowed.max(still)),
                 (false, _) => apart / (ratio * bounds.allowed),
             };
-            let mut error_ratio = of_motion;
-            if let Some((own, state)) = self.state_error_ratio((bounds.share, bounds.way), noise)
-                && own / ratio > error_ratio
-            {
-                (error_ratio, worst) = (own / ratio, state);
-            }
             let factor = estimate.map(|estimate| apart / ratio / estimate);
             let is_jump = bounds
                 .signs
-                .is_some_and(|signs| signs.is_jump(error_ratio, factor));
+                .is_some_and(|signs| signs.is_jump(of_motion, factor));
             found.is_jump = is_jump;
             if is_jump {
-                [error_ratio, of_motion] =
-                    [error_ratio, of_motion].map(|of| over_a_jump(of, ratio));
+                of_motion = over_a_jump(of_motion, ratio);
+            }
+            let mut error_ratio = of_motion;
+            if let Some(own) =
+                self.errors_of_states(&bounds.states, (ratio, is_jump), controller)?
+            {
+                found.of_states = Some(own.seen);
+                if own.error_ratio > error_ratio {
+                    (error_ratio, worst) = (own.error_ratio, own.velocity);
+                }
             }
             if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
                 found.error_ratio = error_ratio;
@@ -449,7 +459,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// From the beginning of the pair in other steps; their least clearance, or `None` if one does not converge.
-    fn others(&mut self, steps: [f64; 2]) -> Result<Option<f64>, SimulationError> {
+    pub(super) fn others(&mut self, steps: [f64; 2]) -> Result<Option<f64>, SimulationError> {
         self.integrator.state_mut().copy_from(&self.pair_start);
         self.rank_margin = None;
         self.integrator.refresh(&self.settings)?;

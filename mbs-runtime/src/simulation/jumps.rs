@@ -13,7 +13,7 @@
 //!
 //! The previous values are those of the last pair that was kept and had the chosen length. Methods without an estimate compare
 //! every pair. So do all methods for mechanisms with states, whose errors no estimate shows: lengths are then constant, and a pair has
-//! a jump where the estimate is rough, or by the rule of two-level steps. Mechanisms with
+//! a jump where the estimate is rough, or by the rule of two-level steps. (Rates of states that jump: `state_errors.rs`.) Mechanisms with
 //! [`Structure::smooth`](crate::Structure::smooth) have no jumps.
 
 use super::Simulation;
@@ -39,7 +39,7 @@ const HARMLESS: f64 = 1e-6;
 /// A difference that is a smaller part of such an estimate was not seen: with both lengths all stages lie beyond the jump.
 const BLIND: f64 = 1e-4;
 /// Over a jump the error may be so many times the usual one, since jumps are rare.
-const RARE: f64 = 3.0;
+pub(super) const RARE: f64 = 3.0;
 
 /// What the pairs before were like.
 #[derive(Debug, Clone, Copy)]

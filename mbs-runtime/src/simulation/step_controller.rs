@@ -13,7 +13,7 @@ use crate::StepController;
 
 /// Comparisons in a row that allow a longer step before one is taken, at first and at most: twice as many after each
 /// longer step that had to be shortened again, so that the step becomes constant for periodic motion.
-const PATIENCE: [u32; 2] = [8, 4096];
+pub(super) const PATIENCE: [u32; 2] = [8, 4096];
 /// log₂ of the ratio of neighbouring lengths is one over this.
 const NOTCHES: f64 = 4.0;
 /// Notches by which a step is lengthened or shortened at once, at most.

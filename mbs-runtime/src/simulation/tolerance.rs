@@ -116,7 +116,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 (0.0, 1.0)
             };
             let controller = (&step_controller, previous, margin);
-            let found = self.compare(tolerance, (h, left), allowance, controller, last);
+            let found = self.compare(
+                tolerance,
+                (h, left),
+                allowance,
+                controller,
+                (shortest, last),
+            );
             let order = self.settings.true_order();
             let (error_ratio, is_embedded, error) = match found {
                 Ok(mut found) => {
@@ -156,6 +162,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                             self.follows().then(|| self.pace()),
                         );
                         step_controller.remember();
+                        step_controller.see_states(found.of_states);
                         if h == step_controller.step && found.is_embedded && self.follows() {
                             let errors = (found.error_ratio, found.parts);
                             step_controller.follow_pair(
