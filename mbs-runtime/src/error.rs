@@ -72,6 +72,13 @@ pub enum ParameterError {
         /// The one before.
         before: f64,
     },
+    /// A table that is repeated does not end with the value with which it begins.
+    TableNotPeriodic {
+        /// The table.
+        table: &'static str,
+        /// The first and the last value.
+        ends: [f64; 2],
+    },
     /// The curve through the points of a table is not finite.
     TableNotFinite {
         /// The table.
@@ -121,6 +128,11 @@ impl fmt::Display for ParameterError {
             } => write!(
                 out,
                 "the arguments of the table `{table}` have to increase, but the one of index {index} is {argument}, and the one before it {before}; give a larger one"
+            ),
+            ParameterError::TableNotPeriodic { table, ends } => write!(
+                out,
+                "the periodic table `{table}` begins with the value {} and ends with {}: give both the same value",
+                ends[0], ends[1]
             ),
             ParameterError::TableNotFinite { table } => write!(
                 out,

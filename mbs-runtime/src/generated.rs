@@ -20,7 +20,7 @@ pub use constant_mass::{
 pub use parts::{compute_parts, rows_of};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
-pub use table::{Beyond, Interpolation, MeasuredTable, Table};
+pub use table::{Beyond, Interpolation, MeasuredTable, PeriodicTable, Table};
 pub use unfinished::{SIZE as UNFINISHED_SIZE, UNFINISHED, Unfinished};
 pub use values::Values;
 

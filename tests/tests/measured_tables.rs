@@ -24,16 +24,25 @@ fn pieces_are_those_of_the_compiler() {
     let ends = [
         (Beyond::Linear, symbolic::Beyond::Linear),
         (Beyond::Constant, symbolic::Beyond::Constant),
+        (Beyond::Periodic, symbolic::Beyond::Periodic),
     ];
     for (interpolation, of_compiler) in interpolations {
         for (beyond, beyond_of_compiler) in ends {
-            for y in Y {
+            for mut y in Y {
+                if beyond == Beyond::Periodic {
+                    y[5] = y[0];
+                }
                 let name = || (0, "y".to_owned());
                 let found = MeasuredTable::<6, 7>::through("y", X, y, interpolation, beyond);
                 let found = found.expect("a table");
                 let wanted = symbolic::Table::new(name(), &X, &y, of_compiler, beyond_of_compiler);
                 assert!(wanted.pieces().eq(found.as_table().pieces.iter().copied()));
-                let [x, y] = [[X[0], X[1]], [y[0], y[1]]];
+                let second = if beyond == Beyond::Periodic {
+                    y[0]
+                } else {
+                    y[1]
+                };
+                let [x, y] = [[X[0], X[1]], [y[0], second]];
                 let found = MeasuredTable::<2, 3>::through("y", x, y, interpolation, beyond);
                 let found = found.expect("a table");
                 let wanted = symbolic::Table::new(name(), &x, &y, of_compiler, beyond_of_compiler);
@@ -196,6 +205,73 @@ fn data_that_are_no_curve_are_refused() {
     let too_large = refused(|p| p.force = [-1e308, 0.0, 1e308]);
     assert_eq!(too_large, ParameterError::TableNotFinite { table: "line" });
     assert!(too_large.to_string().contains("`line` is not finite"));
+}
+
+mechanism!(Turned {
+    doc: "A rotor with the torque of a cylinder, which follows its angle, and one with a torque that follows the time.",
+    world: Planar(),
+    torque: Param([3.0_Nm, -1.0_Nm, 0.5_Nm, 3.0_Nm]),
+    of_gas: Table(
+        [0.0_deg, 90.0_deg, 200.0_deg, 360.0_deg],
+        torque,
+        beyond = Periodic
+    ),
+    of_network: Table(
+        [0.0_s, 0.25_s, 0.5_s, 1.0_s],
+        [0.0_Nm, 0.3_Nm, -0.1_Nm, 0.0_Nm],
+        interpolation = Linear,
+        beyond = Periodic
+    ),
+    engine: Bar(mass = 1.0_kg, length = 1.0_m, rate = -30.0_rad_per_s),
+    generator: Bar(mass = 3.0_kg, length = 1.0_m),
+    crank: Revolute(ground.origin, engine.a),
+    shaft: Revolute(ground.origin, generator.a),
+    gas: Torque(engine, value = of_gas(crank.angle)),
+    network: Torque(generator, value = of_network(t)),
+    angle: Output(crank.angle),
+    rate: Output(crank.rate),
+    momentum: Output(1.0_kg * 1.0_m * 1.0_m * shaft.rate),
+});
+
+/// The work of a torque that is repeated with each turn is the area under its curve; so is the angular momentum from one that is
+/// repeated in time.
+#[test]
+fn a_periodic_table_is_repeated() {
+    let degrees = [0.0_f64, 90.0, 200.0, 360.0].map(f64::to_radians);
+    let cylinder = ([3.0, -1.0, 0.5, 3.0], symbolic::Interpolation::Cubic);
+    let load = ([0.0, 0.3, -0.1, 0.0], symbolic::Interpolation::Linear);
+    let [gas, network] =
+        [(degrees, cylinder), ([0.0, 0.25, 0.5, 1.0], load)].map(|(x, (y, kind))| {
+            let name = (0, "curve".to_owned());
+            symbolic::Table::new(name, &x, &y, kind, symbolic::Beyond::Periodic)
+        });
+    let mut simulation = Simulation::with_accuracy(Turned::default(), 1e-9).expect("it assembles");
+    simulation.run_until(7.6).expect("it runs");
+    let outputs = simulation.outputs();
+    let (angle, rate) = (outputs.angle, outputs.rate);
+    assert!(angle < -100.0, "{angle}");
+    let gained = (rate * rate - 900.0) / 6.0;
+    let work = gas.value(angle, INTEGRAL);
+    // Measured: 1.0e-6 J.
+    assert!((gained - work).abs() < 5e-6, "{gained}, {work}");
+    // Seven periods, and 0.6 s.
+    let area = 7.0 * 0.0375 + (0.0375 + 0.025 - 0.009);
+    assert!((network.value(7.6, INTEGRAL) - area).abs() < 1e-15);
+    assert!(
+        (outputs.momentum - area).abs() < 1e-7,
+        "{}",
+        outputs.momentum
+    );
+}
+
+#[test]
+fn a_periodic_table_ends_as_it_begins() {
+    let torque = [3.0, -1.0, 0.5, 2.0];
+    let refused = Turned { torque }.prepare().expect_err("no period");
+    assert_eq!(
+        refused.to_string(),
+        "the periodic table `of_gas` begins with the value 3 and ends with 2: give both the same value"
+    );
 }
 
 mechanism!(Heavy {

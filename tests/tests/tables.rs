@@ -66,6 +66,46 @@ fn derivatives_and_the_integral_are_those_of_the_curve() {
     }
 }
 
+/// A periodic curve: the same in each period, smooth where one ends, with an integral that grows by the area of a period.
+#[test]
+fn it_is_repeated() {
+    let y = [2.0, 2.5, 5.0, 5.5, 1.0, 2.0];
+    let [cubic, linear] = [Interpolation::Cubic, Interpolation::Linear]
+        .map(|kind| Table::new((0, "y".into()), &X, &y, kind, Beyond::Periodic));
+    assert!(linear.has_kinks() && !cubic.has_kinks());
+    for table in [&cubic, &linear] {
+        let area = table.value(4.5, INTEGRAL) - table.value(-1.0, INTEGRAL);
+        for k in 0..110 {
+            let x = -0.975 + 0.05 * f64::from(k);
+            for periods in [-7.0, -1.0, 1.0, 1e3] {
+                let there = x + 5.5 * periods;
+                for order in 0..4 {
+                    let values = [x, there].map(|x| table.value(x, order));
+                    let apart = values[0] - values[1];
+                    assert!(apart.abs() < 1e-10, "{order} at {x}: {values:?}");
+                }
+                let grown = table.value(there, INTEGRAL) - table.value(x, INTEGRAL);
+                assert!((grown - periods * area).abs() < 1e-9, "{x}: {grown}");
+            }
+        }
+        for end in [-6.5, -1.0, 4.5] {
+            for order in [INTEGRAL, 0] {
+                let [before, after] = [-1e-9, 1e-9].map(|h| table.value(end + h, order));
+                assert!((before - after).abs() < 1e-7, "{end}, {order}");
+            }
+        }
+        assert_eq!(table.value(0.0, INTEGRAL), 0.0);
+        assert!(table.value(f64::NAN, 0).is_nan());
+    }
+    // Secants 2/3 before the ends and 1/2 behind them over widths 3/2 and 1.
+    let wanted = 7.5 / (3.5 / (2.0 / 3.0) + 4.0 / 0.5);
+    let slopes = [-1.0, 4.5, 10.0].map(|x| cubic.value(x, 1));
+    assert!(
+        slopes.iter().all(|slope| (slope - wanted).abs() < 1e-14),
+        "{slopes:?}"
+    );
+}
+
 /// The slopes of Fritsch and Butland, by hand: weighted harmonic means, and zero at an extremum.
 #[test]
 fn slopes_are_those_of_the_method() {

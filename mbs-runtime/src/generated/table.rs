@@ -1,8 +1,10 @@
 //! Functions given by measured values.
 
 pub use measured::{Beyond, Interpolation, MeasuredTable};
+pub use periodic::PeriodicTable;
 
 mod measured;
+mod periodic;
 
 /// A polynomial of third degree before the first knot, in each interval, and after the last knot.
 #[derive(Debug, Clone, Copy)]
@@ -15,6 +17,12 @@ pub struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
+    /// The curve between the first and the last knot, repeated.
+    #[inline]
+    pub fn periodic(&self) -> PeriodicTable<'a> {
+        PeriodicTable::of(*self)
+    }
+
     /// The piece at x, and how far x is inside it.
     #[inline]
     fn piece(&self, x: f64) -> (&'a [f64; 5], f64) {

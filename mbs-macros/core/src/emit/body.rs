@@ -246,11 +246,12 @@ impl<'a> Body<'a> {
                     _ => "third",
                 };
                 let x = self.operand(*x, Precedence::Sum);
+                let repeated = if table.is_periodic { ".periodic()" } else { "" };
                 let table = match table.data {
                     None => format!("{}::TABLE_{}", self.tables, table.index),
                     Some(_) => format!("{}{}.as_table()", self.constants, table_field(table)),
                 };
-                (format!("{table}.{method}({x})"), Precedence::Atom)
+                (format!("{table}{repeated}.{method}({x})"), Precedence::Atom)
             }
             Operation::Part(law, None) => (
                 format!("{}.0", self.names.temporaries[*law]),

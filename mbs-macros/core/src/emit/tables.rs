@@ -59,6 +59,7 @@ pub(super) fn preparation(graph: &Graph, tables: &[Arc<Table>]) -> String {
         let beyond = match data.beyond {
             Beyond::Linear => "Linear",
             Beyond::Constant => "Constant",
+            Beyond::Periodic => "Periodic",
         };
         let _ = writeln!(
             out,

@@ -31,6 +31,7 @@ impl Resolver<'_> {
         };
         let beyond = match arguments.word("beyond")? {
             "Constant" => Beyond::Constant,
+            "Periodic" => Beyond::Periodic,
             _ => Beyond::Linear,
         };
         let [of_x, of_y] = [x.dimension, y.dimension];
@@ -52,6 +53,14 @@ impl Resolver<'_> {
                 place,
                 "the arguments of a table have to increase, but this one is not larger than the one before; list the points in the order of their arguments, each once",
             );
+        }
+        if beyond == Beyond::Periodic && y[0] != y[y.len() - 1] {
+            let message = format!(
+                "a periodic table ends with the value with which it begins, but these are {} and {}, in SI units: add a point a period after the first one, with its value",
+                y[0],
+                y[y.len() - 1]
+            );
+            return arguments.fail("values", message);
         }
         let table = Table::new((self.tables.len(), name), &x, &y, interpolation, beyond);
         if !table.pieces().flatten().all(f64::is_finite) {

@@ -121,9 +121,9 @@ pub const KINDS: &[Kind] = &[
             ),
             field(
                 "beyond",
-                Word(&["Linear", "Constant"]),
+                Word(&["Linear", "Constant", "Periodic"]),
                 Assumed("Linear"),
-                "outside them: the slope or the value at the end goes on; `Cubic` meets a constant value with slope 0",
+                "outside them: the slope or the value at the end goes on (`Cubic` meets a constant value with slope 0), or the curve is repeated, whose last value is then the first one",
             ),
         ],
         doc: "A function of one number, from measured values: `name(x)` in an expression, or `law = name` in a spring.",

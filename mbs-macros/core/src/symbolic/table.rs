@@ -19,6 +19,8 @@ pub enum Beyond {
     Linear,
     /// The value at the end goes on; cubic polynomials arrive there with slope 0.
     Constant,
+    /// The curve is repeated, with the distance of the ends as its period; the values at the ends are the same.
+    Periodic,
 }
 
 /// A function of one variable: before the first knot, in each interval, and after the last knot a polynomial. Its
@@ -33,6 +35,8 @@ pub struct Table {
     /// One more than knots: the coefficients of powers 0 to 3 of x minus the knot on the left (of the first piece: minus
     /// the first knot), and the integral from 0 to there.
     pieces: Vec<[Number; 5]>,
+    /// Whether the curve between the first and the last knot is repeated.
+    pub is_periodic: bool,
     /// What the generated program computes the pieces from, if some of the data are parameters; knots and pieces are then
     /// those of the defaults.
     pub data: Option<TableData>,
@@ -103,7 +107,8 @@ impl Table {
         let ends = match (beyond, interpolation) {
             (Beyond::Constant, _) => [0.0; 2],
             (Beyond::Linear, Interpolation::Linear) => [secants[0], secants[last - 1]],
-            (Beyond::Linear, Interpolation::Cubic) => [slopes[0], slopes[last]],
+            (Beyond::Periodic, Interpolation::Linear) => [secants[last - 1], secants[0]],
+            (_, Interpolation::Cubic) => [slopes[0], slopes[last]],
         };
         pieces[0] = [y[0], ends[0], 0.0, 0.0, 0.0];
         pieces.push([y[last], ends[1], 0.0, 0.0, 0.0]);
@@ -117,6 +122,7 @@ impl Table {
             name,
             knots: x.iter().copied().map(Number::new).collect(),
             pieces: number(&pieces),
+            is_periodic: beyond == Beyond::Periodic,
             data: None,
         };
         let zero = table.value(0.0, INTEGRAL);
@@ -156,6 +162,24 @@ impl Table {
 
     /// The function, one of its derivatives, or its integral from 0; the same operations as in `mbs_runtime::generated`.
     pub fn value(&self, x: f64, order: i8) -> f64 {
+        let [first, last] = [0, self.knots.len() - 1].map(|k| self.knots[k].value());
+        if !self.is_periodic || (first..last).contains(&x) {
+            return self.value_between(x, order);
+        }
+        let period = last - first;
+        let periods = ((x - first) / period).floor();
+        let value = self.value_between(x - periods * period, order);
+        match order {
+            INTEGRAL => {
+                let area = self.pieces[self.knots.len()][4].value() - self.pieces[1][4].value();
+                value + periods * area
+            }
+            _ => value,
+        }
+    }
+
+    /// The same without repetition.
+    fn value_between(&self, x: f64, order: i8) -> f64 {
         let after = self.knots.partition_point(|knot| knot.value() <= x);
         let from = self.knots[after.saturating_sub(1)].value();
         evaluate(&self.pieces[after].map(Number::value), x - from, order)
@@ -217,8 +241,20 @@ fn evaluate(piece: &[f64; 5], h: f64, order: i8) -> f64 {
 /// Slopes at the knots with which cubic polynomials are monotone where the values are (Fritsch and Butland 1984).
 fn monotone_slopes(widths: &[f64], secants: &[f64], beyond: Beyond) -> Vec<f64> {
     let count = secants.len();
+    let between = |left: usize, right: usize| {
+        let (before, after) = (secants[left], secants[right]);
+        if before * after <= 0.0 {
+            return 0.0;
+        }
+        let weights = [
+            widths[left] + 2.0 * widths[right],
+            2.0 * widths[left] + widths[right],
+        ];
+        (weights[0] + weights[1]) / (weights[0] / before + weights[1] / after)
+    };
     let end = |k: usize, next: usize| match (beyond, count) {
         (Beyond::Constant, _) => 0.0,
+        (Beyond::Periodic, _) => between(count - 1, 0),
         (Beyond::Linear, 1) => secants[k],
         (Beyond::Linear, _) => {
             let (h, other) = (widths[k], widths[next]);
@@ -232,17 +268,7 @@ fn monotone_slopes(widths: &[f64], secants: &[f64], beyond: Beyond) -> Vec<f64> 
             }
         }
     };
-    let inner = (1..count).map(|k| {
-        let (before, after) = (secants[k - 1], secants[k]);
-        if before * after <= 0.0 {
-            return 0.0;
-        }
-        let weights = [
-            widths[k - 1] + 2.0 * widths[k],
-            2.0 * widths[k - 1] + widths[k],
-        ];
-        (weights[0] + weights[1]) / (weights[0] / before + weights[1] / after)
-    });
+    let inner = (1..count).map(|k| between(k - 1, k));
     let first = end(0, 1.min(count - 1));
     let last = end(count - 1, count.saturating_sub(2));
     [first].into_iter().chain(inner).chain([last]).collect()

@@ -19,6 +19,8 @@ pub enum Beyond {
     Linear,
     /// The value at the end goes on.
     Constant,
+    /// The curve is repeated.
+    Periodic,
 }
 
 /// The knots and the pieces of a table of one mechanism; PIECES is KNOTS + 1.
@@ -33,7 +35,7 @@ impl<const KNOTS: usize, const PIECES: usize> MeasuredTable<KNOTS, PIECES> {
     /// pieces of a table of numbers.
     ///
     /// # Errors
-    /// [`ParameterError::TableNotIncreasing`] and [`ParameterError::TableNotFinite`].
+    /// [`ParameterError::TableNotIncreasing`], [`ParameterError::TableNotPeriodic`] and [`ParameterError::TableNotFinite`].
     pub fn through(
         table: &'static str,
         x: [f64; KNOTS],
@@ -51,6 +53,12 @@ impl<const KNOTS: usize, const PIECES: usize> MeasuredTable<KNOTS, PIECES> {
             });
         }
         let last = KNOTS - 1;
+        if beyond == Beyond::Periodic && y[0] != y[last] {
+            return Err(ParameterError::TableNotPeriodic {
+                table,
+                ends: [y[0], y[last]],
+            });
+        }
         // Of each interval; the last entry is unused.
         let widths: [f64; KNOTS] = core::array::from_fn(|k| x[(k + 1).min(last)] - x[k]);
         let secants: [f64; KNOTS] =
@@ -72,7 +80,8 @@ impl<const KNOTS: usize, const PIECES: usize> MeasuredTable<KNOTS, PIECES> {
         let ends = match (beyond, interpolation) {
             (Beyond::Constant, _) => [0.0; 2],
             (Beyond::Linear, Interpolation::Linear) => [secants[0], secants[last - 1]],
-            (Beyond::Linear, Interpolation::Cubic) => [slopes[0], slopes[last]],
+            (Beyond::Periodic, Interpolation::Linear) => [secants[last - 1], secants[0]],
+            (_, Interpolation::Cubic) => [slopes[0], slopes[last]],
         };
         pieces[0] = [y[0], ends[0], 0.0, 0.0, 0.0];
         pieces[KNOTS] = [y[last], ends[1], 0.0, 0.0, 0.0];
@@ -81,7 +90,11 @@ impl<const KNOTS: usize, const PIECES: usize> MeasuredTable<KNOTS, PIECES> {
             pieces[k + 2][4] = integral(&pieces[k + 1], widths[k]);
         }
         let mut measured = MeasuredTable { knots: x, pieces };
-        let zero = measured.as_table().integral(0.0);
+        let table_of_zero = measured.as_table();
+        let zero = match beyond {
+            Beyond::Periodic => table_of_zero.periodic().integral(0.0),
+            _ => table_of_zero.integral(0.0),
+        };
         measured
             .pieces
             .iter_mut()
@@ -109,8 +122,20 @@ fn monotone_slopes<const KNOTS: usize>(
     beyond: Beyond,
 ) -> [f64; KNOTS] {
     let count = KNOTS - 1;
+    let between = |left: usize, right: usize| {
+        let (before, after) = (secants[left], secants[right]);
+        if before * after <= 0.0 {
+            return 0.0;
+        }
+        let weights = [
+            widths[left] + 2.0 * widths[right],
+            2.0 * widths[left] + widths[right],
+        ];
+        (weights[0] + weights[1]) / (weights[0] / before + weights[1] / after)
+    };
     let end = |k: usize, next: usize| match (beyond, count) {
         (Beyond::Constant, _) => 0.0,
+        (Beyond::Periodic, _) => between(count - 1, 0),
         (Beyond::Linear, 1) => secants[k],
         (Beyond::Linear, _) => {
             let (h, other) = (widths[k], widths[next]);
@@ -124,20 +149,9 @@ fn monotone_slopes<const KNOTS: usize>(
             }
         }
     };
-    let inner = |k: usize| {
-        let (before, after) = (secants[k - 1], secants[k]);
-        if before * after <= 0.0 {
-            return 0.0;
-        }
-        let weights = [
-            widths[k - 1] + 2.0 * widths[k],
-            2.0 * widths[k - 1] + widths[k],
-        ];
-        (weights[0] + weights[1]) / (weights[0] / before + weights[1] / after)
-    };
     core::array::from_fn(|k| match k {
         0 => end(0, 1.min(count - 1)),
         k if k == count => end(count - 1, count.saturating_sub(2)),
-        k => inner(k),
+        k => between(k - 1, k),
     })
 }
