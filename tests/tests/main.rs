@@ -41,6 +41,7 @@ mod reference_page;
 mod rustfmt;
 mod silent;
 mod simplification;
+mod sizes;
 mod snapshots;
 mod spans;
 mod starts;

@@ -5,11 +5,11 @@
 //! the joints.
 
 use super::inertia::{LocalMass, slopes};
-use crate::model::{Layout, Model, by_default, vanishes};
+use crate::model::{Layout, Model, vanishes};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
 
-/// A velocity that is smaller than this, relative to the largest one, is round-off.
+/// A velocity that is smaller than this, relative to the largest one of its unit, is round-off.
 const ROUNDING: f64 = 1e-11;
 
 /// The upper triangle of M.
@@ -61,15 +61,14 @@ fn gaps(graph: &mut Graph, reduction: &mut Substitution, model: &Model) -> Vec<(
     for (index, velocity) in (0..).zip(&model.layout.velocities) {
         at_guess.insert(Symbol::Velocity(index), velocity.guess);
     }
-    let guesses = model.carried_velocities.iter();
-    let largest = guesses.map(|&(_, guess)| by_default(graph, parameters, guess).abs());
-    let rounding = ROUNDING * largest.fold(1.0, f64::max);
     let mut gaps = Vec::new();
     for &(local, guess) in &model.carried_velocities {
         let own = graph.symbol(Symbol::LocalVelocity(local));
         let follows = graph.substitute(own, reduction);
         let follows = graph.substitute(follows, &mut at_guess);
         let gap = graph.sub(guess, follows);
+        let size = model.sizes.of(&model.outline.locals[local as usize].unit);
+        let rounding = size.rates.map(|largest| ROUNDING * largest);
         if !vanishes(graph, parameters, gap, rounding) {
             gaps.push((local, gap));
         }

@@ -4,10 +4,21 @@ use super::quantities::Quantity;
 use super::resolver::Resolver;
 use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
 
+/// A value below this fraction of what it is the difference of is zero except for rounding.
+pub(super) const ROUNDING: f64 = 1e-12;
+
+/// A number for the defaults of all parameters, and for two other choices of their values.
+pub(crate) type Sampled = [f64; 3];
+
+/// The size of angles and of components of directions.
+pub(super) const OF_ANGLES: Sampled = [1.0; 3];
+
 impl Resolver<'_> {
-    /// Zero, if an expression of parameters is zero except for rounding, for all of their values.
-    pub(super) fn settled(&mut self, expr: Expr) -> Expr {
-        match vanishes(&self.graph, &self.parameters, expr, 1e-12) {
+    /// Zero, if an expression of parameters is zero except for rounding, for all of their values; `size` is that of what it
+    /// is the difference of.
+    pub(super) fn settled(&mut self, expr: Expr, size: Sampled) -> Expr {
+        let rounding = size.map(|size| ROUNDING * size);
+        match vanishes(&self.graph, &self.parameters, expr, rounding) {
             true => self.graph.zero(),
             false => expr,
         }
@@ -15,31 +26,58 @@ impl Resolver<'_> {
 
     /// The value with the defaults of all parameters; NaN if it depends on anything else.
     pub(super) fn by_default(&self, expr: Expr) -> f64 {
-        by_default(&self.graph, &self.parameters, expr)
+        at_sample(&self.graph, &self.parameters, 0, &[expr])[0]
     }
 }
 
-/// The value with the defaults of all parameters; NaN if it depends on anything else.
-pub(crate) fn by_default(graph: &Graph, parameters: &[Quantity], expr: Expr) -> f64 {
-    at_parameters(graph, expr, |index| parameters[index].default)
-}
-
 /// Whether an expression of parameters is zero except for rounding, for all of their values.
-pub(crate) fn vanishes(graph: &Graph, parameters: &[Quantity], expr: Expr, rounding: f64) -> bool {
-    let samples = [(1.0, 0.0), (1.1, 0.013), (0.8, 0.029)];
-    samples.into_iter().all(|(factor, shift)| {
-        let value = at_parameters(graph, expr, |index| {
-            factor * parameters[index].default + shift
-        });
-        value.abs() < rounding
+pub(crate) fn vanishes(
+    graph: &Graph,
+    parameters: &[Quantity],
+    expr: Expr,
+    rounding: Sampled,
+) -> bool {
+    let mut samples = rounding.into_iter().enumerate();
+    // Written so that NaN does not vanish.
+    samples.all(|(sample, rounding)| {
+        at_sample(graph, parameters, sample, &[expr])[0].abs() <= rounding
     })
 }
 
-fn at_parameters(graph: &Graph, expr: Expr, parameter: impl Fn(usize) -> f64) -> f64 {
+/// The largest of some expressions, without their signs; those of more than parameters do not count.
+pub(super) fn largest(graph: &Graph, parameters: &[Quantity], exprs: &[Expr]) -> Sampled {
+    std::array::from_fn(|sample| {
+        let values = at_sample(graph, parameters, sample, exprs);
+        values.into_iter().map(f64::abs).fold(0.0, f64::max)
+    })
+}
+
+/// A value near the default, which is sample 0. Each quantity changes by a fraction of its own size, which is another one for
+/// each, so that two with the same default differ.
+pub(super) fn near(quantities: &[Quantity], index: usize, sample: usize) -> f64 {
+    let Quantity { default, unit, .. } = &quantities[index];
+    if sample == 0 {
+        return *default;
+    }
+    let scattered = 0.754_877_666_246_693 * (index + 1) as f64 + 0.569_840_290_998 * sample as f64;
+    let change = 0.01 * (1.0 + scattered.fract());
+    if *default == 0.0 {
+        let alike = quantities.iter().filter(|other| other.unit == *unit);
+        let usual = alike.fold(0.0, |usual: f64, other| usual.max(other.default.abs()));
+        return change * if usual > 0.0 { usual } else { 1.0 };
+    }
+    match sample % 2 {
+        0 => default * (1.0 - change),
+        _ => default * (1.0 + change),
+    }
+}
+
+fn at_sample(graph: &Graph, parameters: &[Quantity], sample: usize, exprs: &[Expr]) -> Vec<f64> {
     let symbols = |symbol| match symbol {
-        Symbol::Parameter(index) => parameter(index as usize),
+        Symbol::Parameter(index) => near(parameters, index as usize, sample),
         _ => f64::NAN,
     };
     let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
-    Evaluator::new(graph, &symbols, &laws).value(expr)
+    let mut evaluator = Evaluator::new(graph, &symbols, &laws);
+    exprs.iter().map(|&expr| evaluator.value(expr)).collect()
 }

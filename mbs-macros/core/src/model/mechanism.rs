@@ -9,6 +9,7 @@ use super::outline::Outline;
 use super::readings::Reading;
 use super::reduction::MergedJoint;
 use super::requirements::Requirement;
+use super::sizes::Sizes;
 use super::solved::Solved;
 use super::tree::BodyTwist;
 use super::vacuous::VacuousPlace;
@@ -52,6 +53,8 @@ pub struct Model {
     pub twists: Vec<BodyTwist>,
     /// The guessed velocities of the local coordinates that the tree carries in space.
     pub carried_velocities: Vec<(u32, Expr)>,
+    /// How large coordinates and rates are at the start.
+    pub sizes: Sizes,
 }
 
 impl Model {

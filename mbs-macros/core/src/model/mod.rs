@@ -36,11 +36,13 @@ mod expression;
 mod frames;
 mod home;
 mod joint_kinematics;
+mod lengths;
 mod needs_angle;
 mod outputs;
 mod parts;
 mod planar_joint;
 mod resolver;
+mod sizes;
 
 // The passes, and what they use.
 mod check;
@@ -58,7 +60,7 @@ mod spanning;
 mod vacuous;
 
 pub use budget::budget;
-pub(crate) use defaults::{by_default, vanishes};
+pub(crate) use defaults::vanishes;
 pub use drawing::Drawing;
 pub use elements::kinds::kinds;
 pub use formulation::{Description, Formulation, requested};
@@ -75,6 +77,7 @@ pub use quantities::{Law, Local, Quantity, ScalarState};
 pub use readings::Reading;
 pub use reduction::MergedJoint;
 pub use requirements::{Requirement, Wanted};
+pub use sizes::Sizes;
 pub use solved::{Solved, SolvedCoordinate};
 pub use tree::{BodyTwist, Tree, TreeJoint};
 pub use vacuous::VacuousPlace;

@@ -8,6 +8,7 @@ use super::mechanism::Model;
 use super::outline::Outline;
 use super::quantities::Quantity;
 use super::resolver::Resolver;
+use super::sizes::Sizes;
 use super::tree::Tree;
 use super::{check, initial_pose, layout, reduce, spanning, vacuous};
 use crate::diagnostics::Errors;
@@ -73,9 +74,16 @@ pub fn resolve(
     // Initial poses. AFTER THIS POINT: every local coordinate has a guess that depends on parameters alone.
     let guesses: Guesses = initial_pose::guesses(resolver, &joints, &tree);
     debug_assert!(guesses.are_known(&resolver.graph));
+    let sizes = Sizes::new(resolver, &joints, &guesses);
 
     // The reduction. AFTER THIS POINT: every local coordinate is an expression of generalized ones.
-    let mut reduction = reduce::reduce(resolver, &joints, &tree, &description.keep, &guesses)?;
+    let mut reduction = reduce::reduce(
+        resolver,
+        &joints,
+        &tree,
+        &description.keep,
+        (&guesses, &sizes),
+    )?;
     debug_assert!(reduction.is_complete(&resolver.graph, &resolver.parts));
 
     // Vacuous rows. AFTER THIS POINT: every row that is neither solved nor vacuous depends on the motion (or an error is
@@ -144,6 +152,7 @@ pub fn resolve(
         solved: reduction.solved,
         twists: reduction.twists,
         carried_velocities,
+        sizes,
     })
 }
 

@@ -7,6 +7,7 @@ use super::initial_pose::Guesses;
 use super::parts::Representation;
 use super::reduction::{MergedJoint, Reduction};
 use super::resolver::Resolver;
+use super::sizes::Sizes;
 use super::solve::{self, Conditions};
 use super::solved::Solved;
 use super::tree::Tree;
@@ -27,7 +28,7 @@ pub(super) fn reduce(
     joints: &[JointEntry],
     tree: &Tree,
     keep: &[String],
-    guesses: &Guesses,
+    (guesses, sizes): (&Guesses, &Sizes),
 ) -> Option<Reduction> {
     let mut clusters = Clusters::default();
     for (index, element) in joints.iter().enumerate() {
@@ -98,6 +99,7 @@ pub(super) fn reduce(
     let conditions = Conditions {
         keep,
         guesses,
+        sizes,
         varying: !tree.joints.is_empty() || follows,
         free,
     };

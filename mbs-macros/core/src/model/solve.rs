@@ -4,21 +4,19 @@
 //! time or inputs stay, and so do rows in which something is redundant or contradictory: those are reported, and share
 //! their load by least norm.
 
-use super::defaults;
+use super::defaults::{self, ROUNDING, Sampled};
 use super::elements::JointEntry;
 use super::elements::joint::Level;
 use super::initial_pose::Guesses;
 use super::quantities::Quantity;
 use super::reduction::Reduction;
 use super::resolver::Resolver;
+use super::sizes::Sizes;
 use super::solved::{Solved, SolvedCoordinate, combination, describe, local_symbols};
 use crate::symbolic::{
     Affine, AffineReader, Elimination, Expr, Graph, Substitution, Symbol, eliminate,
 };
 use std::collections::BTreeSet;
-
-/// A coefficient below this fraction of the largest is zero except for rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// Conditions for the elimination.
 pub(super) struct Conditions<'a> {
@@ -26,6 +24,8 @@ pub(super) struct Conditions<'a> {
     pub keep: &'a [String],
     /// Where the motion would start without solved rows.
     pub guesses: &'a Guesses,
+    /// How large the coordinates are there.
+    pub sizes: &'a Sizes,
     /// Whether M may vary: then a guess that contradicts a row is left to assembly, and the row stays.
     pub varying: bool,
     /// The number of coordinates.
@@ -140,7 +140,8 @@ fn eliminated(
         }
         systems.extend(more);
         let parameters = &resolver.parameters;
-        let rounding = ROUNDING * size(&resolver.graph, parameters, &systems);
+        let size = size(&resolver.graph, parameters, &systems);
+        let rounding = size.map(|size| ROUNDING * size);
         elimination = eliminate(&mut resolver.graph, &systems, |graph, expr| {
             defaults::vanishes(graph, parameters, expr, rounding)
         });
@@ -200,13 +201,12 @@ fn values(
     (values, touched)
 }
 
-/// The largest coefficient with default parameters.
-fn size(graph: &Graph, parameters: &[Quantity], rows: &[(usize, Affine)]) -> f64 {
+/// The largest coefficient.
+fn size(graph: &Graph, parameters: &[Quantity], rows: &[(usize, Affine)]) -> Sampled {
     let terms = rows.iter().flat_map(|(_, row)| &row.terms);
     let unknowns = terms.filter(|(symbol, _)| symbol.is_local_position());
-    unknowns.fold(1.0, |size: f64, (_, &coefficient)| {
-        size.max(defaults::by_default(graph, parameters, coefficient).abs())
-    })
+    let coefficients: Vec<Expr> = unknowns.map(|(_, &coefficient)| coefficient).collect();
+    defaults::largest(graph, parameters, &coefficients)
 }
 
 /// The rows that must not be eliminated: rows that depend on each other; rows whose elimination would leave another row
@@ -278,10 +278,10 @@ fn gap(
     ];
     let follows = [position, velocity].map(|expr| graph.substitute(expr, &mut guesses));
     let gaps = [0, 1].map(|k| graph.sub(own[k], follows[k]));
-    gaps.map(
-        |gap| match defaults::vanishes(graph, &resolver.parameters, gap, ROUNDING) {
-            true => zero,
-            false => gap,
-        },
-    )
+    let size = conditions.sizes.of(&resolver.locals[local as usize].unit);
+    let [place, speed] = gaps;
+    [
+        resolver.settled(place, size.positions),
+        resolver.settled(speed, size.rates),
+    ]
 }

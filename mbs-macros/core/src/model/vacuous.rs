@@ -5,6 +5,7 @@
 //! is left out. This is tested numerically, because rounding in the axes can give 1e-17 instead of an exact zero. A row
 //! that no motion changes and that is not zero, or only for some values of the parameters, is an error.
 
+use super::defaults::near;
 use super::elements::JointEntry;
 use super::reduction::Reduction;
 use super::resolver::Resolver;
@@ -124,13 +125,10 @@ fn vanishing(
 
 /// A value for each symbol of a pose; parameters and inputs are near their defaults at most.
 fn sample(resolver: &Resolver, symbol: Symbol, pose: u32, varied: bool) -> f64 {
-    let near = |default: f64, index: u32| match varied {
-        true => default * (1.0 + 0.1 * scattered(pose, index, 0.3)) + 0.01 * f64::from(pose + 1),
-        false => default,
-    };
+    let sample = if varied { pose as usize + 1 } else { 0 };
     match symbol {
-        Symbol::Parameter(i) => near(resolver.parameters[i as usize].default, i),
-        Symbol::Input(i) => near(resolver.inputs[i as usize].default, i),
+        Symbol::Parameter(i) => near(&resolver.parameters, i as usize, sample),
+        Symbol::Input(i) => near(&resolver.inputs, i as usize, sample),
         other => scattered_motion(other, pose),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Arguments;
 use crate::diagnostics::Place;
+use crate::model::defaults::OF_ANGLES;
 use crate::model::geometry::{Attachment, Axes, Owner, Point, Vector};
 use crate::model::joint_frames::JointFrames;
 use crate::model::joint_variables::JointVariable;
@@ -42,7 +43,7 @@ impl Resolver<'_> {
             [frame.local[0], frame.local[1]].map(|axis| self.graph.turn(home, axis));
         let twist = self.graph.dot(across, triad[0]);
         let same = self.graph.dot(along, triad[0]);
-        let twist = self.settled(twist);
+        let twist = self.settled(twist, OF_ANGLES);
         let upright = self.graph.is_zero(twist) && self.by_default(same) > 0.0;
         let cosine = self.graph.dot(axis, triad[2]);
         // Axes that are far apart are an error of the home pose, which is found later.

@@ -18,7 +18,9 @@ pub(in crate::model) fn home_poses(
     guesses: &Guesses,
 ) {
     let mut found: Vec<Disagreement> = Vec::new();
-    let mut size = size_of_parts(resolver);
+    // A joint in the origin has no coordinate, yet its rows carry the rounding of the places of the parts.
+    let lengths = resolver.lengths_of_parts().into_iter();
+    let mut size = lengths.fold(0.0, |size: f64, x| size.max(resolver.by_default(x).abs()));
     for element in joints {
         let Some(&index) = resolver.names.get(&element.name) else {
             continue;
@@ -42,17 +44,6 @@ pub(in crate::model) fn home_poses(
             resolver.fail_about(&disagreement.name, disagreement.span, message);
         }
     }
-}
-
-/// The largest coordinate that the parts give: a joint in the origin has none, yet its rows carry the rounding of the
-/// places of the parts.
-fn size_of_parts(resolver: &Resolver) -> f64 {
-    let lengths = resolver.parts.iter().flat_map(|part| {
-        let origin = part.home.map(|home| home.origin);
-        let places = origin.into_iter().chain([part.center]).flatten();
-        places.chain(part.length)
-    });
-    lengths.fold(0.0, |size, x| size.max(resolver.by_default(x).abs()))
 }
 
 /// Whether axes that the joint holds parallel are opposite: its rows, which are products of axes, vanish there too.

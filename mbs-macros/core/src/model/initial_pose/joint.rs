@@ -1,6 +1,7 @@
 //! The coordinates of a joint of the tree in the home pose of space, and their rates.
 
 use super::guesses::Guesses;
+use crate::model::defaults::{OF_ANGLES, Sampled};
 use crate::model::geometry::{Attachment, Axes, Owner, Vector};
 use crate::model::mobilizer::Freedom;
 use crate::model::parts::Part;
@@ -47,12 +48,13 @@ impl Side {
     }
 }
 
-/// Guesses the coordinates of a joint of the tree.
+/// Guesses the coordinates of a joint of the tree; `length` is the largest one of the mechanism.
 pub(super) fn joint_guess(
     resolver: &mut Resolver,
     parts: &[Part],
     speeds: &[Vector],
     joint: &TreeJoint,
+    length: Sampled,
     guesses: &mut Guesses,
 ) {
     let [parent, child] = [&joint.mobilizer.parent, &joint.mobilizer.child]
@@ -73,7 +75,7 @@ pub(super) fn joint_guess(
             ];
             let angles = two_angles(graph, &parent.axes, between, &child.axes);
             for ((local, angle), rate) in [first, second].into_iter().zip(angles).zip(rates) {
-                let angle = resolver.settled(angle);
+                let angle = resolver.settled(angle, OF_ANGLES);
                 set(resolver, local, angle, rate);
             }
         }
@@ -86,7 +88,7 @@ pub(super) fn joint_guess(
             let angle = graph.atan2(sin, cos);
             let relative = graph.vector_sub(child.spin, parent.spin);
             let rate = graph.dot(parent.axes[2], relative);
-            let angle = resolver.settled(angle);
+            let angle = resolver.settled(angle, OF_ANGLES);
             let rate = match freedom {
                 Freedom::Helix(lead) => helix_rate(resolver, *lead, rate, &parent, &child),
                 _ => rate,
@@ -103,7 +105,7 @@ pub(super) fn joint_guess(
         let gap = graph.vector_sub(child.origin, parent.origin);
         let stroke = graph.dot(parent.axes[axis], gap);
         let speed = speed_along(graph, axis, gap, &parent, &child);
-        let stroke = resolver.settled(stroke);
+        let stroke = resolver.settled(stroke, length);
         set(resolver, local, stroke, speed);
     }
 }

@@ -16,8 +16,9 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry], tree: &Tre
     let parts = resolver.parts.clone();
     let speeds = origin_velocities(resolver, &parts, joints);
     let zero = resolver.graph.zero();
+    let length = resolver.largest_length(joints);
     for joint in &tree.joints {
-        joint_guess(resolver, &parts, &speeds, joint, &mut guesses);
+        joint_guess(resolver, &parts, &speeds, joint, length, &mut guesses);
     }
     for (index, (part, &speed)) in parts.iter().zip(&speeds).enumerate() {
         let Some(home) = part.home else {
