@@ -28,6 +28,13 @@ mechanism!(M { world: Planar(), a: Assembly(A, l = k = 1.0), o: Output(a.p.origi
                                                    ~~~~~~~ each argument has a value of its own: write `l = 1.0, k = 1.0`
         ",
     );
+    refused(
+        "
+assembly!(A { world: Planar(), l: Port(Number), k: Port(Number), p: Particle(mass = 1.0_kg, at = [l * 1.0_m, k * 1.0_m], free = true) });
+mechanism!(M { world: Planar(), a: Assembly(A, l = k = m = 1.0), o: Output(a.p.origin.x) });
+                                                   ~~~~~~~~~~~ each argument has a value of its own: write `l = 1.0, k = 1.0, m = 1.0`
+        ",
+    );
 }
 
 #[test]

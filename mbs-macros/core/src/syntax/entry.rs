@@ -7,7 +7,7 @@ use crate::diagnostics::{Errors, did_you_mean, did_you_mean_kind, nearest};
 use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens as _;
-use syn::{Expr, Ident};
+use syn::{Expr, ExprAssign, Ident};
 
 /// The kind of an assembly put in place.
 pub const ASSEMBLY: &str = "Assembly";
@@ -69,13 +69,13 @@ pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> 
                 if entry.kind == ASSEMBLY
                     && let Expr::Assign(other) = &*assign.right
                 {
-                    let (left, value) = (&other.left, innermost(&other.right));
-                    let (left, value) = (left.to_token_stream(), value.to_token_stream());
+                    let (names, value) = chain(&assign);
+                    let value = value.to_token_stream();
+                    let each = names.iter().map(|name| format!("{name} = {value}"));
+                    let each = each.collect::<Vec<String>>().join(", ");
                     return Err(syn::Error::new_spanned(
                         other,
-                        format!(
-                            "each argument has a value of its own: write `{name} = {value}, {left} = {value}`"
-                        ),
+                        format!("each argument has a value of its own: write `{each}`"),
                     ));
                 }
                 entry.named.push(NamedArgument {
@@ -96,12 +96,14 @@ pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> 
     Ok(entry)
 }
 
-/// The value of `a = b = value`.
-fn innermost(value: &Expr) -> &Expr {
-    match value {
-        Expr::Assign(assign) => innermost(&assign.right),
-        value => value,
+/// The names and the value of `a = b = value`.
+fn chain(assign: &ExprAssign) -> (Vec<TokenStream>, &Expr) {
+    let (mut names, mut assign) = (vec![assign.left.to_token_stream()], assign);
+    while let Expr::Assign(next) = &*assign.right {
+        names.push(next.left.to_token_stream());
+        assign = next;
     }
+    (names, &assign.right)
 }
 
 /// `Let(value = x)` is `Let(x)`, as `Output` and `Event` are.
