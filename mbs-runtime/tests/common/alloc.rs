@@ -7,12 +7,19 @@ pub struct Counting;
 
 thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
+    static BYTES: Cell<u64> = const { Cell::new(0) };
     static LARGEST: Cell<usize> = const { Cell::new(0) };
 }
 
 /// Allocations of this thread so far.
 pub fn count() -> u64 {
     COUNT.with(Cell::get)
+}
+
+/// Bytes that this thread has allocated so far.
+#[allow(dead_code)]
+pub fn bytes() -> u64 {
+    BYTES.with(Cell::get)
 }
 
 /// The largest allocation of this thread during some work, in bytes.
@@ -27,6 +34,7 @@ pub fn largest(work: impl FnOnce()) -> usize {
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         let _ = COUNT.try_with(|count| count.set(count.get() + 1));
+        let _ = BYTES.try_with(|bytes| bytes.set(bytes.get() + layout.size() as u64));
         let _ = LARGEST.try_with(|largest| largest.set(largest.get().max(layout.size())));
         unsafe { System.alloc(layout) }
     }
