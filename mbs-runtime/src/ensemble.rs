@@ -39,6 +39,9 @@ const STACK: usize = 16 << 20;
 ///
 /// # Errors
 /// Each member has its own: that of [`Simulation::with_settings`], or what `run` returns. The others run on.
+///
+/// # Panics
+/// If `run` panics, after the other members have ended; their results are lost then.
 pub fn simulate_ensemble<M, S, T, const Q: usize, const N: usize, const R: usize>(
     members: &[M],
     settings: Settings,
@@ -57,6 +60,9 @@ where
 ///
 /// # Errors
 /// Each member has its own: that of [`Simulation::with_any_method`], or what `run` returns. The others run on.
+///
+/// # Panics
+/// If `run` panics, after the other members have ended; their results are lost then.
 pub fn simulate_ensemble_with_any_method<M, S, T, const Q: usize, const N: usize, const R: usize>(
     members: &[M],
     settings: Settings,
