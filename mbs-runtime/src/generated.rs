@@ -10,6 +10,7 @@ pub use crate::contract::{Elimination, Kicks, Rates};
 pub use crate::elementary::Elementary;
 pub use crate::linear::{entries, entries_mut};
 pub use crate::memory::Box;
+pub use crate::scalar_state::with_scales;
 pub use crate::singular::DEPENDENT;
 pub use crate::sink::Discard;
 pub use checks::{require_inertia, require_not_negative, require_positive};

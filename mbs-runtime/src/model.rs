@@ -227,7 +227,9 @@ pub struct Quantity {
 pub struct ScalarState {
     /// Its name, its unit and its initial value, with the defaults of all parameters.
     pub quantity: Quantity,
-    /// A usual size, in its unit: errors are relative to the value, or to this where it is less.
+    /// A usual size, in its unit: errors are relative to the value, or to this where it is less. Of
+    /// [`Observables::STATES`](crate::Observables::STATES) it is that with the defaults of all parameters, of
+    /// [`Observables::states`](crate::Observables::states) that of the system.
     pub scale: f64,
     /// Index into [`Model::coordinates`] of its integral over time, on which nothing depends.
     pub coordinate: usize,

@@ -54,6 +54,25 @@ pub(crate) fn square<const N: usize>(
     parts.map(|part| part * part).sum()
 }
 
+/// The states of a mechanism with the scales of its parameters: the sizes of these values.
+pub fn with_scales<const K: usize>(
+    declared: &'static [ScalarState],
+    values: [f64; K],
+) -> [ScalarState; K] {
+    core::array::from_fn(|i| ScalarState {
+        scale: usual_size(values[i]),
+        ..declared[i]
+    })
+}
+
+/// The scale that follows from a declared one, which is positive, or from the initial value: 1 in SI units where that is 0.
+fn usual_size(initial: f64) -> f64 {
+    match initial.is_finite() && initial != 0.0 {
+        true => initial.abs(),
+        false => 1.0,
+    }
+}
+
 impl Model {
     /// The `State`s, in declaration order, with their initial values as defaults. Each is an output and a velocity of
     /// the same name.

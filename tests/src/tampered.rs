@@ -363,6 +363,10 @@ impl<S: Observables<Q, N, R>, const Q: usize, const N: usize, const R: usize> Ob
     type Outputs = S::Outputs;
     const STATES: &'static [ScalarState] = S::STATES;
 
+    fn states(&self) -> &[ScalarState] {
+        self.inner.states()
+    }
+
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]) {
         self.inner.outputs(t, q, v, outputs);
     }

@@ -366,6 +366,7 @@ mod program {
         let system = System {
             held: Vec::new(),
             requirements: Vec::new(),
+            scales: Vec::new(),
             graph,
             size: 0,
             mass: BTreeMap::new(),

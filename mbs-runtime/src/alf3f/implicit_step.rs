@@ -353,6 +353,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             end,
             work,
             yardstick,
+            system,
             ..
         } = &mut *self.context;
         let mut multiplier: SVector<f64, R> = vector(|i| {
@@ -370,7 +371,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         let end = (&self.q, &self.vb);
         let verdict = self
             .corrections
-            .add(&change, end, self.h, yardstick, S::STATES);
+            .add(&change, end, self.h, yardstick, system.states());
         if verdict.slow {
             self.step.solver.invalidate();
         }

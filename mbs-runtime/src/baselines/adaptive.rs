@@ -77,7 +77,7 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
             true => yardstick.square(x) / (scale * scale),
             false => 0.0,
         };
-        let states = scalar_state::square(S::STATES, &change, &v);
+        let states = scalar_state::square(bench.system.states(), &change, &v);
         let sum = square(&turn, scales[0]) + square(&change, scales[1]) + states;
         let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
         if error <= 1.0 {

@@ -165,7 +165,8 @@ impl Progress {
         let floor = yardstick.imperceptible(q, h);
         let speed = yardstick.measure(v);
         let whole = || speed.max(floor / CONVERGED);
-        let sizes = [yardstick.correction(S::STATES, (change, v), whole), speed];
+        let states = bench.system.states();
+        let sizes = [yardstick.correction(states, (change, v), whole), speed];
         (sizes, floor)
     }
 

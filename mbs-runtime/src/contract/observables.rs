@@ -12,9 +12,14 @@ pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     const HELD: &'static [Held] = &[];
     /// Whether an `Output` reads accelerations or reactions.
     const HAS_OUTPUTS_AT_ACCELERATION_LEVEL: bool = false;
-    /// The `State`s, in declaration order.
+    /// The `State`s, in declaration order, with the defaults of all parameters.
     const STATES: &'static [ScalarState] = &[];
 
+    /// The same with the scales that follow from the parameters of this system.
+    #[inline(always)]
+    fn states(&self) -> &[ScalarState] {
+        Self::STATES
+    }
     /// `Output`s, in the order of [`Model::outputs`](crate::Model::outputs) (a shorter slice receives the first ones).
     /// Those that read accelerations or reactions become NaN, or are not written.
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);

@@ -278,7 +278,7 @@ impl<const N: usize> Implicit<N> {
             add(vb, &change);
             let least = || yardstick.imperceptible(&q1, self.h) / self.negligible;
             let whole = || yardstick.measure(vb).max(least());
-            let size = yardstick.correction(S::STATES, (&change, vb), whole);
+            let size = yardstick.correction(system.states(), (&change, vb), whole);
             let speed = yardstick.measure(vb);
             let stagnated = fresh
                 && has_stalled(size, last)
@@ -297,7 +297,7 @@ impl<const N: usize> Implicit<N> {
                 return Err(Fault::NonFinite("velocities"));
             }
             // A chord that converges slowly is renewed.
-            self.current = size < 0.1 * last && !changes_much(S::STATES, &change, vb);
+            self.current = size < 0.1 * last && !changes_much(system.states(), &change, vb);
             last = size;
         }
         Err(Fault::Flow {

@@ -177,8 +177,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let change = to - from;
             relative(core::slice::from_ref(state), &change, end)
         };
+        let states = self.system().states();
         let largest = |from, to| {
-            let changes = S::STATES.iter().map(|state| of(state, from, to));
+            let changes = states.iter().map(|state| of(state, from, to));
             changes.fold(pair.way, f64::max)
         };
         let way = largest(begin, end);
@@ -186,7 +187,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let longer = (2.0 * controller.usual / length).max(1.0);
         let usual = (longer * way.max(largest(begin, other))).min(1.0).max(way);
         let allowed = [way, usual].map(|way| (pair.share * way).max(pair.noise));
-        let apart = S::STATES
+        let apart = states
             .iter()
             .map(|state| (of(state, end, other), state.velocity));
         let (apart, velocity) = apart.max_by(|(one, _), (other, _)| one.total_cmp(other))?;

@@ -2,6 +2,7 @@
 
 mod motion;
 mod names;
+mod scales;
 
 use mbs_runtime::{Mechanism, Settings, Simulation, System, mechanism};
 

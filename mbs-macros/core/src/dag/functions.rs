@@ -199,10 +199,15 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         .map(|rotation| rotation_block(&mut graph, &mut hoisted, derived, rotation))
         .collect();
     let (constants, preparation) = constants(&mut graph, &mut hoisted);
-    let checks = checks(&mut graph, &mut hoisted, derived);
+    let requirements = system.requirements.iter();
+    let checked = requirements.flat_map(|requirement| requirement.values.iter().copied());
+    let checks = of_preparation(&mut graph, &mut hoisted, "checks", checked);
+    let scales = system.scales.iter().copied();
+    let scales = of_preparation(&mut graph, &mut hoisted, "scales", scales);
     Program {
         constants,
         checks,
+        scales,
         constant_mass,
         all_tangents,
         turning,
@@ -348,18 +353,21 @@ fn rotation_block(
     }
 }
 
-/// The values that the program checks, in constants that are known before M⁻¹.
-fn checks(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Function {
+/// Values that `prepare` reads, in constants that are known before M⁻¹.
+fn of_preparation(
+    graph: &mut Graph,
+    hoisted: &mut Hoisted,
+    name: &'static str,
+    values: impl Iterator<Item = Expr>,
+) -> Function {
     let constants = hoisted.list.iter().copied().zip(0..);
     let known = constants.filter(|&(expr, _)| !uses_inverse(graph, expr));
     let known: Vec<(Expr, usize)> = known.collect();
     let mut lowering = Lowering::of_constants(graph, hoisted, &known);
-    let requirements = derived.system.requirements.iter();
-    let values = requirements.flat_map(|requirement| &requirement.values);
-    for (i, &value) in values.enumerate() {
-        lowering.output("checks", Place::Element(i), value);
+    for (i, value) in values.enumerate() {
+        lowering.output(name, Place::Element(i), value);
     }
-    lowering.finish("checks")
+    lowering.finish(name)
 }
 
 fn uses_inverse(graph: &Graph, expr: Expr) -> bool {

@@ -43,6 +43,8 @@ pub struct Program {
     pub preparation: [Function; 2],
     /// The values of [`System::requirements`](crate::equations::System::requirements), one after the other.
     pub checks: Function,
+    /// The values of [`System::scales`](crate::equations::System::scales).
+    pub scales: Function,
     /// The functions of the system.
     pub functions: Vec<Function>,
     /// Guesses of q and v.

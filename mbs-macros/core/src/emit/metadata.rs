@@ -4,7 +4,7 @@ use super::body::number;
 use crate::analysis::{Analysis, Candidate};
 use crate::contract;
 use crate::dag::Program;
-use crate::equations::{Row, RowKind, System};
+use crate::equations::{Row, RowKind};
 use crate::mobility::{self, Mobility};
 use crate::model::{Held, Outline, Part, Quantity, Stored};
 use crate::schema::World;
@@ -207,7 +207,7 @@ fn option_text(number: Option<usize>) -> String {
     }
 }
 
-fn quantity_text(quantity: &Quantity) -> String {
+pub(super) fn quantity_text(quantity: &Quantity) -> String {
     let default = match &quantity.constant {
         // Its type is checked where the defaults are made.
         Some(constant) => quote::quote! { #constant as f64 }.to_string(),
@@ -250,27 +250,6 @@ pub(super) fn held(held: &[Held]) -> String {
     let texts: Vec<String> = texts.collect();
     format!(
         "const HELD: &'static [::mbs_runtime::Held] = &[{}];\n",
-        texts.join(", ")
-    )
-}
-
-/// The constant `STATES`; nothing where there is no state.
-pub(super) fn states(outline: &Outline, system: &System) -> String {
-    if outline.states.is_empty() {
-        return String::new();
-    }
-    let places = system.layout.states.iter();
-    let texts = outline.states.iter().zip(places).map(|(state, &velocity)| {
-        format!(
-            "::mbs_runtime::ScalarState {{ quantity: {}, scale: {}, coordinate: {}, velocity: {velocity} }}",
-            quantity_text(&state.quantity),
-            number(state.scale),
-            system.layout.slots[velocity],
-        )
-    });
-    let texts: Vec<String> = texts.collect();
-    format!(
-        "const STATES: &'static [::mbs_runtime::ScalarState] = &[{}];\n",
         texts.join(", ")
     )
 }

@@ -27,6 +27,7 @@ mod progressions;
 mod row_layout;
 mod size;
 mod sparse;
+mod states;
 mod system;
 mod tables;
 mod text;

@@ -9,6 +9,7 @@ use super::metadata::lines;
 use super::motion;
 use super::progressions::looped;
 use super::size::Size;
+use super::states;
 use super::tables;
 use super::text::{doc, tokens};
 use crate::analysis::Analysis;
@@ -332,6 +333,7 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
         );
     }
     write(&mut out, after);
+    out.push_str(&states::preparation(equations, program, system));
     let inputs: Vec<String> = outline
         .inputs
         .iter()
@@ -347,12 +349,16 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
     } else {
         "spins, "
     };
+    let states = match equations.scales.is_empty() {
+        true => "",
+        false => "states, ",
+    };
     let constants = (0..program.constants.len()).map(|slot| format!("k{slot}"));
     let fields = tables::names(&outline.tables).chain(constants);
     let fields = fields.fold(String::new(), |text, field| text + &field + ", ");
     let _ = writeln!(
         out,
-        "::core::result::Result::Ok({system} {{ parameters: *self, inputs: [{}], {inverse}{spins}{fields} }})",
+        "::core::result::Result::Ok({system} {{ parameters: *self, inputs: [{}], {inverse}{spins}{states}{fields} }})",
         inputs.join(", ")
     );
     out

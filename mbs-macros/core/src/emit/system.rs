@@ -4,7 +4,7 @@ use super::items::{self, visibility};
 use super::parts::LongFunctions;
 use super::size::Size;
 use super::text::{doc, tokens};
-use super::{metadata, methods, sparse, tables};
+use super::{metadata, methods, sparse, states, tables};
 use crate::contract::Capability;
 use crate::dag::Program;
 use crate::equations::System;
@@ -60,6 +60,7 @@ pub(super) fn emit(
     });
     let tables = tables::constants(&outline.tables);
     let measured = tables::fields(&outline.tables);
+    let scaled = states::field(equations);
     let doc = doc(&format!(
         "The equations of [`{parameters}`] for one set of parameters."
     ));
@@ -76,7 +77,7 @@ pub(super) fn emit(
             format!(
                 "type Outputs = {outputs_type};\n{}{}",
                 metadata::held(&equations.held),
-                metadata::states(outline, equations) + metadata::acceleration_level(program)
+                states::constant(outline, equations) + metadata::acceleration_level(program)
             ),
         ),
         (
@@ -134,6 +135,7 @@ pub(super) fn emit(
             inputs: [f64; #inputs],
             #inverse
             #spins
+            #scaled
             #( #measured )*
             #( #constants )*
         }

@@ -6,7 +6,7 @@ use super::constant_mass::constant_mass;
 use super::forces::{Action, Potential};
 use super::generalized_forces::{Elements, ForceParts};
 use super::kinetic::{self, Kinetic};
-use super::states::States;
+use super::states::{self, States};
 use super::system::System;
 use super::{forces, generalized_forces, inertia, reactions, readings, rows, start, vacuous};
 use crate::model::elements::force::Load;
@@ -123,6 +123,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     }
     let masses = (&model, &inertia, &mass);
     carried_start::move_guesses(&mut graph, &mut reduction, masses, &mut layout);
+    let scales = states::scales(&graph, &model.outline.states);
     let system = System {
         graph,
         size,
@@ -140,6 +141,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         events,
         held,
         requirements: model.requirements,
+        scales,
         points,
         layout,
         constant_mass,

@@ -2,7 +2,7 @@
 
 use super::generalized_forces::ForceParts;
 use super::kinetic::Kinetic;
-use crate::model::Model;
+use crate::model::{Model, ScalarState};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
 
@@ -35,4 +35,12 @@ impl States {
             }
         }
     }
+}
+
+/// The values whose sizes are the scales of the states, if one of them depends on parameters.
+pub(super) fn scales(graph: &Graph, states: &[ScalarState]) -> Vec<Expr> {
+    let is_parameter = |symbol: Symbol| matches!(symbol, Symbol::Parameter(_));
+    let values: Vec<Expr> = states.iter().map(|state| state.scaled_by).collect();
+    let follow = (values.iter()).any(|&value| graph.depends_on(value, is_parameter));
+    if follow { values } else { Vec::new() }
 }

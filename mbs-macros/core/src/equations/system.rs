@@ -42,6 +42,8 @@ pub struct System {
     pub held: Vec<Held>,
     /// What arguments that follow from parameters have to be.
     pub requirements: Vec<Requirement>,
+    /// The values whose sizes are the scales of the states; none where no scale follows from parameters.
+    pub scales: Vec<Expr>,
     /// Points to draw.
     pub points: Vec<Vector>,
     /// Coordinates and velocities with their guesses, rotations.

@@ -35,8 +35,10 @@ pub struct ScalarState {
     pub quantity: Quantity,
     /// The coordinate whose velocity it is.
     pub local: u32,
-    /// A usual size.
+    /// A usual size, with the defaults of all parameters, …
     pub scale: f64,
+    /// … and the value whose size it is.
+    pub scaled_by: Expr,
     /// Its rate.
     pub rate: Expr,
 }

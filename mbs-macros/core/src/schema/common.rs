@@ -167,7 +167,7 @@ pub const KINDS: &[Kind] = &[
                 "scale",
                 KnownAny,
                 Assumed("the initial value or, where that is 0, 1 in SI units"),
-                "a usual size (computed with the defaults of parameters): errors of the state are relative to its value, or to this where it is less",
+                "a usual size: errors of the state are relative to its value, or to this where it is less",
             ),
         ],
         doc: "A value with a rate of its own, such as the integral of a controller; it has no mass and no energy, and is sampled with the outputs.",

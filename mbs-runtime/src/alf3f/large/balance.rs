@@ -169,10 +169,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         self.vb += change;
         self.kappa += SVector::<f64, R>::from_column_slice(&x[N..]);
         let end = (&self.q, &self.vb);
-        let yardstick = &self.context.yardstick;
+        let (yardstick, states) = (&self.context.yardstick, self.context.system.states());
         let verdict = self
             .corrections
-            .add(&change, end, self.h, yardstick, S::STATES);
+            .add(&change, end, self.h, yardstick, states);
         *current &= !verdict.is_slow_for(Self::PATIENCE);
         verdict.is_end(N + R)
     }

@@ -75,7 +75,8 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
             let change = self.solve_velocities()?;
             *v += change;
             total += SVector::<f64, R>::from_column_slice(&self.x[N..]);
-            let verdict = corrections.add(&change, (q, v), h, &context.yardstick, S::STATES);
+            let states = context.system.states();
+            let verdict = corrections.add(&change, (q, v), h, &context.yardstick, states);
             if verdict.is_end(N + R) {
                 context.work.impulse[1] = total;
                 return Some(count);

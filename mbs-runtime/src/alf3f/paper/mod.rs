@@ -362,7 +362,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             let floor = self.yardstick.imperceptible(&x.q, h);
             let speed = self.yardstick.measure(&x.v);
             let whole = || speed.max(floor / tolerance);
-            size = (self.yardstick).correction(S::STATES, (&change, &x.v), whole);
+            size = (self.yardstick).correction(self.system.states(), (&change, &x.v), whole);
             if size <= (tolerance * speed).max(floor) {
                 return Ok(());
             }

@@ -10,10 +10,13 @@ use crate::model::ScalarState;
 use crate::model::arguments::Arguments;
 use crate::model::geometry::Frame;
 use crate::model::quantities::quantity;
+use crate::model::requirements::Wanted;
 use crate::model::resolver::Resolver;
 use crate::model::value::Value;
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
+
+const POSITIVE_SCALE: &str = "a scale has to be positive: give a usual size of the state";
 
 impl Resolver<'_> {
     pub(in crate::model) fn state(&mut self, entry: &Entry) -> Option<Value> {
@@ -28,10 +31,14 @@ impl Resolver<'_> {
         }
         let dimension = stated.or(dimension).unwrap_or(Dimension::NONE);
         let default = arguments.by_default(initial);
-        let scale = match arguments.has("scale") {
+        let scaled_by = match arguments.has("scale") {
             true => scale(&mut arguments, dimension)?,
-            false if default.is_finite() && default != 0.0 => default.abs(),
-            false => 1.0,
+            false => initial,
+        };
+        // As the runtime does with other parameters (`mbs-runtime/src/scalar_state.rs`).
+        let scale = match arguments.by_default(scaled_by) {
+            size if size.is_finite() && size != 0.0 => size.abs(),
+            _ => 1.0,
         };
         let own = quantity(entry, default, Some(dimension));
         let (graph, name) = (&mut self.graph, own.name.clone());
@@ -70,6 +77,7 @@ impl Resolver<'_> {
             quantity: own,
             local,
             scale,
+            scaled_by,
             rate: zero,
         });
         Some(Value::Scalar(value, Some(dimension)))
@@ -121,18 +129,16 @@ impl Resolver<'_> {
     }
 }
 
-/// The usual size of a state, a number.
-fn scale(arguments: &mut Arguments, dimension: Dimension) -> Option<f64> {
+/// The usual size of a state.
+fn scale(arguments: &mut Arguments, dimension: Dimension) -> Option<Expr> {
     let (scale, found) = arguments.quantity("scale")?;
-    let scale = arguments.by_default(scale);
+    let size = arguments.by_default(scale);
     if found.is_some_and(|found| found != dimension) {
         return arguments.fail("scale", format!("the scale of this state is {dimension}"));
     }
-    match scale > 0.0 && scale.is_finite() {
-        true => Some(scale),
-        false => arguments.fail(
-            "scale",
-            "a scale has to be positive: give a usual size of the state",
-        ),
+    if !(size > 0.0 && size.is_finite()) {
+        return arguments.fail("scale", POSITIVE_SCALE);
     }
+    arguments.require("scale", &[scale], Wanted::Positive(POSITIVE_SCALE));
+    Some(scale)
 }
