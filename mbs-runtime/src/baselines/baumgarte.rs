@@ -19,7 +19,6 @@ use crate::estimate::Estimate;
 use crate::fault::Fault;
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
-use crate::yardstick::Yardstick;
 use crate::{BaumgarteSettings, Method, Settings, System};
 use nalgebra::SVector;
 
@@ -106,8 +105,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.equations.weakest_rows(bench)
     }
 
-    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<Estimate> {
-        let h = self.length.abs();
+    fn estimate(&self, bench: &Bench<S, Q, N, R>) -> Option<Estimate> {
+        let (h, yardstick) = (self.length.abs(), &bench.yardstick);
         let size = |turn: &SVector<f64, N>, change: &SVector<f64, N>| {
             (yardstick.measure(turn)).max(h * yardstick.measure(change))
         };

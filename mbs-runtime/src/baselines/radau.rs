@@ -28,7 +28,6 @@ use crate::linear::{RowMatrix, accumulate, add_scaled, dot, vector, zeros};
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
 use crate::sink::Discard;
-use crate::yardstick::Yardstick;
 use crate::{Method, Settings, System};
 use nalgebra::{Complex, SVector};
 
@@ -457,10 +456,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.placed = false;
     }
 
-    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<Estimate> {
+    fn estimate(&self, bench: &Bench<S, Q, N, R>) -> Option<Estimate> {
         let errors = self.errors.as_ref()?;
         let end = &self.stages[2].v;
-        Some(errors.estimate(self.length.abs(), (yardstick, S::STATES), end))
+        Some(errors.estimate(
+            self.length.abs(),
+            (&bench.yardstick, bench.system.states()),
+            end,
+        ))
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {

@@ -4,7 +4,6 @@ use super::bench::Bench;
 use crate::estimate::Estimate;
 use crate::fault::Fault;
 use crate::singular::RankMargin;
-use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
 
@@ -30,7 +29,7 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     }
 
     /// The error of the last step by an embedded method; `None` without one.
-    fn estimate(&self, _: &Yardstick<Q, N>) -> Option<Estimate> {
+    fn estimate(&self, _: &Bench<S, Q, N, R>) -> Option<Estimate> {
         None
     }
 

@@ -134,7 +134,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     /// See [`Rule::estimate`](super::rule::Rule::estimate).
     pub(crate) fn estimate(&self) -> Option<Estimate> {
-        self.rule.estimate(&self.bench.yardstick)
+        self.rule.estimate(&self.bench)
     }
 
     /// Whether its elimination is planned.

@@ -70,6 +70,8 @@ pub(super) struct Signs {
     estimated: Option<[f64; 2]>,
     /// Whether the estimate is more than round-off.
     is_clear: bool,
+    /// The difficulty by an estimate that is round-off: what it was below this before is not known.
+    of_round_off: f64,
     /// [`Estimate::is_rough`].
     is_rough: bool,
     /// Whether lengths follow the motion.
@@ -127,9 +129,16 @@ impl Signs {
         self.is_clear && (self.is_rough || is_unusual || has_grown)
     }
 
-    /// Whether a pair that may have a jump is unlike smooth motion: by the roughness of the estimate, or by its growth.
+    /// Whether a pair that may have a jump is unlike smooth motion: by the roughness of the estimate, or by its growth out of
+    /// round-off. (Below it an estimate grows slowly from one pair of short steps to the next, while the previous difficulty stays
+    /// the least one so far.)
     pub(super) fn is_sudden(&self) -> bool {
-        !self.is_raised || (self.growth()).is_none_or(|growth| growth > GROWTH_BY_ESTIMATE)
+        let hidden = self
+            .previous
+            .estimated
+            .map_or(0.0, |previous| self.of_round_off - previous);
+        let growth = self.growth().map(|growth| growth - hidden.max(0.0));
+        !self.is_raised || growth.is_none_or(|growth| growth > GROWTH_BY_ESTIMATE)
     }
 
     /// Whether a comparison has not seen the jump that an estimate shows: the error that it found is this factor times the estimate.
@@ -156,14 +165,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return None;
         }
         let (order, step) = (self.settings.true_order(), 0.5 * length);
+        let difficulty = |ratio: f64| difficulty(self.order_of_estimate(), step, ratio);
         let estimated = estimate.map(|pair| {
             let ratio = pair.error / allowed;
-            [ratio, difficulty(self.order_of_estimate(), step, ratio)]
+            [ratio, difficulty(ratio)]
         });
         Some(Signs {
             previous,
             estimated,
             is_clear: estimate.is_some_and(|pair| pair.error > noise),
+            of_round_off: difficulty(noise / allowed),
             is_rough: estimate.is_some_and(|pair| pair.is_rough),
             follows: self.follows(),
             is_raised: self.settings.method == Method::Radau,
@@ -197,6 +208,7 @@ mod tests {
             },
             estimated: Some([ratio, 7.0]),
             is_clear: true,
+            of_round_off: -30.0,
             is_rough: false,
             follows,
             is_raised: false,
@@ -248,6 +260,20 @@ mod tests {
         assert!(!radau(-0.6).is_jump(1e-3, Some(0.7)));
         assert!(!radau(0.6).is_sudden() && radau(11.0).is_sudden());
         assert!(signs(true, 0.1, Some(0.6)).is_sudden());
+    }
+
+    /// Where the estimate was round-off before, it may have grown in many pairs.
+    #[test]
+    fn a_growth_out_of_round_off_is_no_jump() {
+        let radau = |of_round_off| Signs {
+            is_raised: true,
+            of_round_off,
+            ..signs(true, 0.1, Some(14.0))
+        };
+        // From −7 to 7.
+        for (of_round_off, expected) in [(-8.0, true), (-4.0, true), (-2.0, false), (6.9, false)] {
+            assert_eq!(radau(of_round_off).is_sudden(), expected, "{of_round_off}");
+        }
     }
 
     #[test]
