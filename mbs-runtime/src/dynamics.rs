@@ -104,10 +104,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
     /// Evaluates all quantities at another state, which need not satisfy the constraints. Inputs are those of the
     /// simulation from which this was made.
     ///
-    /// Where rows follow from others, a state that violates them makes these independent: multipliers, and then accelerations,
-    /// answer the violation. For a beam on three cranks of a metre a violation of 0.1 mm changes multipliers by a fifth, and one of
-    /// 1 mm accelerations by a sixth. Measured positions are closed by a simulation that holds them at its
-    /// start ([`Simulation::start`](crate::Simulation::start)).
+    /// Where rows follow from others, a state that violates them makes these independent, and multipliers, then accelerations, become
+    /// wrong: for a beam on three cranks of a metre a violation of 0.1 mm changes multipliers by a fifth, and one of 1 mm
+    /// accelerations by a sixth. To close loops at measured positions, hold these at the start of a simulation
+    /// ([`Simulation::start`](crate::Simulation::start)).
     ///
     /// # Errors
     /// A mass matrix that is not positive definite, or rows that admit no finite multiplier. The previous values are

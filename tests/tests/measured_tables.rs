@@ -2,7 +2,7 @@
 
 use crate::alloc::count;
 use mbs_macros_core::symbolic::{self, INTEGRAL};
-use mbs_runtime::generated::{Beyond, Interpolation, MeasuredTable};
+use mbs_runtime::generated::{Beyond, Interpolation, MeasuredTable, PeriodicTable};
 use mbs_runtime::{Mechanism, ParameterError, Settings, Simulation, assembly, mechanism};
 
 const X: [f64; 6] = [-1.0, 0.0, 0.5, 2.0, 3.0, 4.5];
@@ -37,6 +37,16 @@ fn pieces_are_those_of_the_compiler() {
                 let found = found.expect("a table");
                 let wanted = symbolic::Table::new(name(), &X, &y, of_compiler, beyond_of_compiler);
                 assert!(wanted.pieces().eq(found.as_table().pieces.iter().copied()));
+                if beyond == Beyond::Periodic {
+                    are_alike(found.as_table().periodic(), &wanted);
+                    // Without 0 among its arguments.
+                    let x = X.map(|x| x + 2.0);
+                    let found = MeasuredTable::<6, 7>::through("y", x, y, interpolation, beyond);
+                    let found = found.expect("a table");
+                    let wanted =
+                        symbolic::Table::new(name(), &x, &y, of_compiler, beyond_of_compiler);
+                    are_alike(found.as_table().periodic(), &wanted);
+                }
                 let second = if beyond == Beyond::Periodic {
                     y[0]
                 } else {
@@ -48,6 +58,23 @@ fn pieces_are_those_of_the_compiler() {
                 let wanted = symbolic::Table::new(name(), &x, &y, of_compiler, beyond_of_compiler);
                 assert!(wanted.pieces().eq(found.as_table().pieces.iter().copied()));
             }
+        }
+    }
+}
+
+/// In several periods, with the integral and the derivatives.
+fn are_alike(found: PeriodicTable<'_>, wanted: &symbolic::Table) {
+    for k in -200..200 {
+        let x = 0.1 * f64::from(k) + 0.037;
+        let values = [
+            (INTEGRAL, found.integral(x)),
+            (0, found.value(x)),
+            (1, found.slope(x)),
+            (2, found.second(x)),
+            (3, found.third(x)),
+        ];
+        for (order, value) in values {
+            assert_eq!(value, wanted.value(x, order), "{order} at {x}");
         }
     }
 }

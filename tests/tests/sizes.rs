@@ -78,9 +78,15 @@ fn rounding_is_no_stroke() {
 /// The stroke is zero with the defaults, and not with other values.
 #[test]
 fn parameters_with_the_same_default_are_different() {
-    let entries = format!("a: Param(0.3_m), b: Param(0.3_m), {}", slider("c", "a - b"));
-    let equal = beside_an_arm(1.0, &entries);
-    near(start(&equal, "guide_of_c.stroke", &[1.0, 0.5, 0.3]), 0.2);
+    for (stroke, [a, b]) in [
+        ("a - b", [0.5, 0.3]),
+        ("max(a - b, 0.0_m)", [0.5, 0.3]),
+        ("max(b - a, 0.0_m)", [0.3, 0.5]),
+    ] {
+        let entries = format!("a: Param(0.3_m), b: Param(0.3_m), {}", slider("c", stroke));
+        let equal = beside_an_arm(1.0, &entries);
+        near(start(&equal, "guide_of_c.stroke", &[1.0, a, b]), 0.2);
+    }
 }
 
 /// Without an angular velocity the nearest velocities that the joint allows: J + m l² is 1.3 m l².
@@ -122,6 +128,20 @@ fn rows_with_small_coefficients_are_solved() {
             5e-4 * size
         ));
         assert_eq!(rows(&tied).1, ["tie"], "{size}");
+    }
+}
+
+/// A square of a small length is no zero.
+#[test]
+fn a_distance_squared_is_a_row_in_all_sizes() {
+    for size in SIZES {
+        let tied = analysis(&format!(
+            "Tied {{ world: Planar(coordinates = Joint), a: Bar(mass = 1.0_kg, length = {size:e}_m, angle = 50.0_deg),
+            b: Bar(mass = 1.0_kg, length = {size:e}_m, angle = 100.0_deg), p: Revolute(ground.origin, a.a),
+            q: Revolute(ground.point({size:e}_m, 0.0), b.a),
+            tie: Holonomic((a.b.x - b.b.x).powi(2) + (a.b.y - b.b.y).powi(2) - ({size:e}_m).powi(2)) }}"
+        ));
+        assert_eq!(rows(&tied).0, ["tie"], "{size}");
     }
 }
 

@@ -54,10 +54,16 @@ impl<const N: usize> Errors<N> {
         };
         let [off, work] = self.works;
         let error = of_order(error, yardstick.measure(&self.way));
-        let [own, gained] =
-            [&self.change, &self.gained].map(|change| relative(states, change, end));
+        // Each state by its own gain: another one may change by more.
+        let of_state = |state: &ScalarState| {
+            let state = core::slice::from_ref(state);
+            let [own, gained] =
+                [&self.change, &self.gained].map(|change| relative(state, change, end));
+            [own, of_order(own, gained)]
+        };
+        let largest = |largest: [f64; 2], of: [f64; 2]| [0, 1].map(|k| largest[k].max(of[k]));
         Estimate {
-            of_states: [own, of_order(own, gained)],
+            of_states: states.iter().map(of_state).fold([0.0; 2], largest),
             ..Estimate::smooth(error, of_order(off, work))
         }
     }

@@ -15,7 +15,7 @@ pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     /// The `State`s, in declaration order, with the defaults of all parameters.
     const STATES: &'static [ScalarState] = &[];
 
-    /// The same with the scales that follow from the parameters of this system.
+    /// The same with the scales that follow from the parameters of this system. A wrapper that forwards `STATES` forwards this, too.
     #[inline(always)]
     fn states(&self) -> &[ScalarState] {
         Self::STATES

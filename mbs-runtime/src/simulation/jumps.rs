@@ -70,7 +70,7 @@ pub(super) struct Signs {
     estimated: Option<[f64; 2]>,
     /// Whether the estimate is more than round-off.
     is_clear: bool,
-    /// The difficulty by an estimate that is round-off: what it was below this before is not known.
+    /// The difficulty of an estimate as large as round-off; below it growth cannot be told.
     of_round_off: f64,
     /// [`Estimate::is_rough`].
     is_rough: bool,

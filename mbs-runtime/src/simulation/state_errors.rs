@@ -15,8 +15,9 @@
 //! | the rate is smooth | d / (2ᵖ − 1), or the same with another factor |
 //! | it jumps | d / 3, since jumps are rare |
 //!
-//! Which of them counts is asked where it decides, and where d is larger than that of the pair before. Then the pair is compared with
-//! two unequal steps as well: from them a smooth motion has a difference that is far smaller, by the factor of the orders.
+//! Which of them counts is asked by a comparison with two unequal steps: from them a smooth motion has a difference that is far
+//! smaller, by the factor of the orders. It is asked where the error is allowed over a jump alone, and where it is allowed in smooth
+//! motion alone and the difficulty of states has grown fourfold. Where both allow it, growth by more than 2¹⁰ is a jump without asking.
 //!
 //! Stages of Radau do not see a jump before the first of them. Its embedded formula does, since it has the rate at the beginning.
 
@@ -30,19 +31,21 @@ use crate::{ScalarState, SimulationError, StepController, System};
 
 /// The steps with which a pair is compared once more, as parts of its length.
 const UNEQUAL: [f64; 2] = [0.3, 0.7];
-/// The difficulty of states grows from one pair to the next by more than this power of 2 seldom; from pair to pair the largest of
-/// the last ones counts less by the second one.
+/// In smooth motion the difficulty of states seldom grows from one pair to the next by more than this power of 2.
 const GROWTH: f64 = 2.0;
+/// The largest of the last difficulties falls by this power of 2 with each pair.
 const FADING: f64 = 2.0;
-/// It has grown by more only over a jump.
+/// Growth by more than this is a jump.
 const CERTAIN: f64 = 10.0;
 /// Where no comparison sees an error, an estimate of so many times the allowed one shows a jump before the first stage.
 const UNSEEN: f64 = 64.0;
 
-/// Relative differences up to this multiple of the round-off of a number do not fall with the length: they ask for no other one.
+/// Relative differences up to this multiple of the round-off of a number do not fall with the length: they ask for no other length.
 /// (Extrapolated steps of order 8 had 20.)
 const NOISY: f64 = 64.0;
-/// The shortest steps that are tried may leave so many tolerances.
+/// The shortest steps that are tried are those over a jump where the usual ones are so many times as long.
+const SUDDEN: f64 = 10.0;
+/// There a state may have an error of so many tolerances.
 const LAST: f64 = 10.0;
 
 /// What is allowed, and what is known of the pair.
@@ -92,8 +95,8 @@ struct Apart {
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// The errors of states in the pair, of which the other steps, at whose end the state is, have the part 1/`ratio` of the
-    /// difference where all is smooth. Whether a force jumps is known from the motion. The state is then any.
+    /// The errors of states in the pair. Now the simulation is at the end of the other steps; in smooth motion the error of the pair is
+    /// the difference divided by `ratio`. `force_jumps`: whether the motion shows a jump. Leaves the simulation in any state.
     pub(super) fn errors_of_states(
         &mut self,
         pair: &Pair,
@@ -114,8 +117,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let (smooth, jump) = (apart.smooth / ratio, apart.jump / RARE);
         let order = self.settings.true_order();
         let length: f64 = pair.steps.into_iter().sum();
-        if pair.is_shortest {
-            // No state moves far in such a time, and a jump is within it.
+        if pair.is_shortest && 2.0 * controller.usual > SUDDEN * length {
+            // The jump is within this time, in which no state moves far. (Where all steps are as short, motion is too fast for them.)
             let tolerance = pair.share / SHARE;
             let least = apart.smooth * apart.allowed[0] / (LAST * tolerance);
             return of(smooth.min(least), Seen::Jump);

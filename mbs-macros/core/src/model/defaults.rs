@@ -59,7 +59,10 @@ pub(super) fn near(quantities: &[Quantity], index: usize, sample: usize) -> f64 
     if sample == 0 {
         return *default;
     }
-    let scattered = 0.754_877_666_246_693 * (index + 1) as f64 + 0.569_840_290_998 * sample as f64;
+    // The same part in both directions: where one of two quantities becomes the larger one in a sample, it is the smaller one in the
+    // next.
+    let scattered =
+        0.754_877_666_246_693 * (index + 1) as f64 + 0.569_840_290_998 * sample.div_ceil(2) as f64;
     let change = 0.01 * (1.0 + scattered.fract());
     if *default == 0.0 {
         let alike = quantities.iter().filter(|other| other.unit == *unit);

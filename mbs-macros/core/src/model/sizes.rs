@@ -26,8 +26,6 @@ pub(crate) struct Size {
 impl Sizes {
     pub(super) fn new(resolver: &mut Resolver, joints: &[JointEntry], guesses: &Guesses) -> Sizes {
         let mut starts: BTreeMap<String, [Vec<Expr>; 2]> = BTreeMap::new();
-        let units = ["m", "rad", ""].map(str::to_owned);
-        starts.extend(units.map(|unit| (unit, <[Vec<Expr>; 2]>::default())));
         for (local, quantity) in (0..).zip(&resolver.locals) {
             let [positions, rates] = starts.entry(quantity.unit.clone()).or_default();
             positions.push(guesses.position(local, &mut resolver.graph));
@@ -37,10 +35,8 @@ impl Sizes {
             let guess = &part.guess;
             let declared = [("m", guess.velocity), ("rad", guess.spin)];
             for (unit, vector) in declared {
-                let rates = starts.get_mut(unit).map(|[_, rates]| rates);
-                rates
-                    .into_iter()
-                    .for_each(|rates| rates.extend(vector.iter().flatten()));
+                let [_, rates] = starts.entry(unit.to_owned()).or_default();
+                rates.extend(vector.iter().flatten());
             }
         }
         let (graph, parameters) = (&resolver.graph, &resolver.parameters);
@@ -54,12 +50,8 @@ impl Sizes {
         sizes
     }
 
-    /// Places and velocities carry the rounding of arms and of turning, and angles and pure numbers that of 1.
+    /// Places and velocities carry the rounding of arms and of turning, and angles that of 1.
     fn include_arms(&mut self, lengths: Sampled) {
-        if let Some(numbers) = self.of.get_mut("") {
-            let pairs = numbers.positions.iter_mut().zip(OF_ANGLES);
-            pairs.for_each(|(size, one)| *size = size.max(one));
-        }
         let [mut along, mut turning] = ["m", "rad"].map(|unit| self.of(unit));
         for sample in 0..lengths.len() {
             let length = along.positions[sample].max(lengths[sample]);

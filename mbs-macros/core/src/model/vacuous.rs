@@ -102,6 +102,9 @@ fn vanishing(
             .map(|x| resolver.graph.substitute(x, &mut reduction.substitution))
             .collect();
     }
+    // Conditions on positions have no points.
+    let [length, ..] = resolver.largest_length(joints);
+    let length = if length > 0.0 { length } else { 1.0 };
     let mut vanishing = vec![true; candidates.len()];
     for pose in 0..POSES {
         let symbols = |symbol| sample(resolver, symbol, pose, varied);
@@ -111,9 +114,10 @@ fn vanishing(
             let value = evaluator.value(candidate.expr);
             let places = places[candidate.element].iter();
             let reach = places.fold(0.0f64, |reach, &x| reach.max(evaluator.value(x).abs()));
+            let reach = if reach > 0.0 { reach } else { length };
             let scale = match candidate.dimension {
-                Some(Dimension::LENGTH) if reach > 0.0 => reach,
-                Some(area) if area == Dimension::LENGTH.power(2) && reach > 0.0 => reach * reach,
+                Some(Dimension::LENGTH) => reach,
+                Some(area) if area == Dimension::LENGTH.power(2) => reach * reach,
                 _ => 1.0,
             };
             // Written so that NaN does not vanish.

@@ -123,7 +123,7 @@ pub const KINDS: &[Kind] = &[
                 "beyond",
                 Word(&["Linear", "Constant", "Periodic"]),
                 Assumed("Linear"),
-                "outside them: the slope or the value at the end goes on (`Cubic` meets a constant value with slope 0), or the curve is repeated, whose last value is then the first one",
+                "outside them: the slope or the value at the end goes on (`Cubic` meets a constant value with slope 0), or, with `Periodic`, the curve is repeated; its period is the distance from the first to the last argument, at which the values are equal",
             ),
         ],
         doc: "A function of one number, from measured values: `name(x)` in an expression, or `law = name` in a spring.",
