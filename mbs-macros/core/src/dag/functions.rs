@@ -199,11 +199,12 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         .map(|rotation| rotation_block(&mut graph, &mut hoisted, derived, rotation))
         .collect();
     let (constants, preparation) = constants(&mut graph, &mut hoisted);
+    let known = known_before_inverse(&graph, &hoisted);
     let requirements = system.requirements.iter();
     let checked = requirements.flat_map(|requirement| requirement.values.iter().copied());
-    let checks = of_preparation(&mut graph, &mut hoisted, "checks", checked);
+    let checks = of_preparation(&mut graph, &mut hoisted, ("checks", checked), &known);
     let scales = system.scales.iter().copied();
-    let scales = of_preparation(&mut graph, &mut hoisted, "scales", scales);
+    let scales = of_preparation(&mut graph, &mut hoisted, ("scales", scales), &known);
     Program {
         constants,
         checks,
@@ -353,17 +354,21 @@ fn rotation_block(
     }
 }
 
-/// Values that `prepare` reads, in constants that are known before M⁻¹.
+/// The constants that are known before M⁻¹, and their slots.
+fn known_before_inverse(graph: &Graph, hoisted: &Hoisted) -> Vec<(Expr, usize)> {
+    let constants = hoisted.list.iter().copied().zip(0..);
+    let known = constants.filter(|&(expr, _)| !uses_inverse(graph, expr));
+    known.collect()
+}
+
+/// Values that `prepare` reads, in constants that are known then.
 fn of_preparation(
     graph: &mut Graph,
     hoisted: &mut Hoisted,
-    name: &'static str,
-    values: impl Iterator<Item = Expr>,
+    (name, values): (&'static str, impl Iterator<Item = Expr>),
+    known: &[(Expr, usize)],
 ) -> Function {
-    let constants = hoisted.list.iter().copied().zip(0..);
-    let known = constants.filter(|&(expr, _)| !uses_inverse(graph, expr));
-    let known: Vec<(Expr, usize)> = known.collect();
-    let mut lowering = Lowering::of_constants(graph, hoisted, &known);
+    let mut lowering = Lowering::of_constants(graph, hoisted, known);
     for (i, value) in values.enumerate() {
         lowering.output(name, Place::Element(i), value);
     }

@@ -3,6 +3,8 @@
 use super::quantities::Quantity;
 use super::resolver::Resolver;
 use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
 
 /// A value below this fraction of what it is the difference of is zero except for rounding.
 pub(super) const ROUNDING: f64 = 1e-12;
@@ -52,32 +54,62 @@ pub(super) fn largest(graph: &Graph, parameters: &[Quantity], exprs: &[Expr]) ->
     })
 }
 
-/// A value near the default, which is sample 0. Each quantity changes by a fraction of its own size, which is another one for
-/// each, so that two with the same default differ.
-pub(super) fn near(quantities: &[Quantity], index: usize, sample: usize) -> f64 {
-    let Quantity { default, unit, .. } = &quantities[index];
-    if sample == 0 {
-        return *default;
+/// Values of quantities near their defaults, which are sample 0.
+pub(super) struct Near<'a> {
+    quantities: &'a [Quantity],
+    /// The largest default of each unit, once it is asked for.
+    usual: OnceCell<BTreeMap<&'a str, f64>>,
+}
+
+impl<'a> Near<'a> {
+    pub(super) fn new(quantities: &'a [Quantity]) -> Self {
+        Near {
+            quantities,
+            usual: OnceCell::new(),
+        }
     }
-    // The same part in both directions: where one of two quantities becomes the larger one in a sample, it is the smaller one in the
-    // next.
-    let scattered =
-        0.754_877_666_246_693 * (index + 1) as f64 + 0.569_840_290_998 * sample.div_ceil(2) as f64;
-    let change = 0.01 * (1.0 + scattered.fract());
-    if *default == 0.0 {
-        let alike = quantities.iter().filter(|other| other.unit == *unit);
-        let usual = alike.fold(0.0, |usual: f64, other| usual.max(other.default.abs()));
-        return change * if usual > 0.0 { usual } else { 1.0 };
+
+    /// Each quantity changes by a fraction of its own size, which is another one for each, so that two with the same default differ.
+    pub(super) fn value(&self, index: usize, sample: usize) -> f64 {
+        let default = self.quantities[index].default;
+        if sample == 0 {
+            return default;
+        }
+        // The same part in both directions: where one of two quantities becomes the larger one in a sample, it is the smaller one
+        // in the next.
+        let scattered = 0.754_877_666_246_693 * (index + 1) as f64
+            + 0.569_840_290_998 * sample.div_ceil(2) as f64;
+        let change = 0.01 * (1.0 + scattered.fract());
+        if default == 0.0 {
+            return change * self.usual(&self.quantities[index].unit);
+        }
+        match sample % 2 {
+            0 => default * (1.0 - change),
+            _ => default * (1.0 + change),
+        }
     }
-    match sample % 2 {
-        0 => default * (1.0 - change),
-        _ => default * (1.0 + change),
+
+    /// The largest default of this unit; 1 where all are zero.
+    fn usual(&self, unit: &str) -> f64 {
+        let usual = self.usual.get_or_init(|| {
+            let mut usual = BTreeMap::<&str, f64>::new();
+            for Quantity { default, unit, .. } in self.quantities {
+                let largest = usual.entry(unit).or_default();
+                *largest = largest.max(default.abs());
+            }
+            usual
+        });
+        match usual.get(unit) {
+            Some(&largest) if largest > 0.0 => largest,
+            _ => 1.0,
+        }
     }
 }
 
 fn at_sample(graph: &Graph, parameters: &[Quantity], sample: usize, exprs: &[Expr]) -> Vec<f64> {
+    let near = Near::new(parameters);
     let symbols = |symbol| match symbol {
-        Symbol::Parameter(index) => near(parameters, index as usize, sample),
+        Symbol::Parameter(index) => near.value(index as usize, sample),
         _ => f64::NAN,
     };
     let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);

@@ -5,7 +5,7 @@
 //! is left out. This is tested numerically, because rounding in the axes can give 1e-17 instead of an exact zero. A row
 //! that no motion changes and that is not zero, or only for some values of the parameters, is an error.
 
-use super::defaults::near;
+use super::defaults::Near;
 use super::elements::JointEntry;
 use super::reduction::Reduction;
 use super::resolver::Resolver;
@@ -105,9 +105,10 @@ fn vanishing(
     // Conditions on positions have no points.
     let [length, ..] = resolver.largest_length(joints);
     let length = if length > 0.0 { length } else { 1.0 };
+    let near = [&resolver.parameters, &resolver.inputs].map(|quantities| Near::new(quantities));
     let mut vanishing = vec![true; candidates.len()];
     for pose in 0..POSES {
-        let symbols = |symbol| sample(resolver, symbol, pose, varied);
+        let symbols = |symbol| sample(symbol, &near, pose, varied);
         let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
         let mut evaluator = Evaluator::new(&resolver.graph, &symbols, &laws);
         for (candidate, vanishes) in candidates.iter().zip(&mut vanishing) {
@@ -128,11 +129,11 @@ fn vanishing(
 }
 
 /// A value for each symbol of a pose; parameters and inputs are near their defaults at most.
-fn sample(resolver: &Resolver, symbol: Symbol, pose: u32, varied: bool) -> f64 {
+fn sample(symbol: Symbol, [parameters, inputs]: &[Near; 2], pose: u32, varied: bool) -> f64 {
     let sample = if varied { pose as usize + 1 } else { 0 };
     match symbol {
-        Symbol::Parameter(i) => near(&resolver.parameters, i as usize, sample),
-        Symbol::Input(i) => near(&resolver.inputs, i as usize, sample),
+        Symbol::Parameter(i) => parameters.value(i as usize, sample),
+        Symbol::Input(i) => inputs.value(i as usize, sample),
         other => scattered_motion(other, pose),
     }
 }

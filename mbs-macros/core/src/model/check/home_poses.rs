@@ -1,6 +1,7 @@
 //! Home poses that joints contradict.
 
 use crate::dimension::Dimension;
+use crate::model::defaults::largest;
 use crate::model::elements::JointEntry;
 use crate::model::geometry::Point;
 use crate::model::home::NEARLY_TOGETHER;
@@ -19,8 +20,8 @@ pub(in crate::model) fn home_poses(
 ) {
     let mut found: Vec<Disagreement> = Vec::new();
     // A joint in the origin has no coordinate, yet its rows carry the rounding of the places of the parts.
-    let lengths = resolver.lengths_of_parts().into_iter();
-    let mut size = lengths.fold(0.0, |size: f64, x| size.max(resolver.by_default(x).abs()));
+    let lengths = resolver.lengths_of_parts();
+    let [mut size, ..] = largest(&resolver.graph, &resolver.parameters, &lengths);
     for element in joints {
         let Some(&index) = resolver.names.get(&element.name) else {
             continue;
